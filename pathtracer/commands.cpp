@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pathtracer/commands.h"
+
+namespace plumbline {
+
+void add_pathtracer_commands(CLI::App&) {}
+
+}  // namespace plumbline

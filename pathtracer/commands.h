@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace plumbline {
+
+/// The subcommands of this folder.
+void add_pathtracer_commands(CLI::App& app);
+
+}  // namespace plumbline

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/camera_rays.h"
+
+#include <cmath>
+
+namespace plumbline {
+
+CameraRays::CameraRays(const Camera& camera) : eye_(camera.eye) {
+    const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::vec3 up = glm::cross(right, forward);
+    const auto width = static_cast<float>(camera.width);
+    const auto height = static_cast<float>(camera.height);
+    const float half_height = std::tan(camera.vertical_fov / 2.f);
+    const float pixel = 2.f * half_height / height;
+    right_ = right * pixel;
+    down_ = -up * pixel;
+    corner_ = forward - right_ * (width / 2.f) - down_ * (height / 2.f);
+}
+
+Ray CameraRays::through(float x, float y) const {
+    return {eye_, glm::normalize(corner_ + right_ * x + down_ * y)};
+}
+
+}  // namespace plumbline

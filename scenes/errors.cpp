@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/errors.h"
+
+namespace plumbline {
+
+InputError::InputError(const std::string& where, const std::string& problem,
+                       const std::string& cure)
+    : std::runtime_error(where + ": " + problem + "; " + cure) {}
+
+}  // namespace plumbline

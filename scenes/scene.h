@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scenes/geometry.h"
+#include "scenes/transform.h"
+
+namespace plumbline {
+
+/// A Lambert surface: f = albedo / pi on the front, and on the back too if two-sided.
+///
+/// The back of a one-sided surface is black to light, and invisible to camera and surfel rays.
+struct Material {
+    std::string name;
+    Spectrum albedo{0.7f};   ///< in [0,1]
+    Spectrum emission{0.f};  ///< radiance, W m^-2 sr^-1, from every side that reflects
+    bool two_sided = false;
+    bool operator==(const Material&) const = default;
+};
+
+/// Triangles in object space; counter-clockwise seen from the front.
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions;
+    std::vector<Spectrum> vertex_albedo;  ///< empty, or one a position: multiplies the material's
+    std::vector<glm::uvec3> triangles;    ///< indices into positions
+    std::vector<int> triangle_materials;  ///< one a triangle: indices into Scene::materials
+    bool operator==(const Mesh&) const = default;
+};
+
+/// The faces of a Box, in the order of Box::face_materials.
+enum class Face { PlusX, MinusX, PlusY, MinusY, PlusZ, MinusZ };
+
+/// An axis-aligned box in object space; its front is outside.
+struct Box {
+    glm::vec3 lower;
+    glm::vec3 upper;
+    std::array<int, 6> face_materials;
+    bool operator==(const Box&) const = default;
+};
+
+/// The parallelogram corner + s edge_u + t edge_v, s and t in [0,1]; its front is edge_u x edge_v.
+struct Quad {
+    glm::vec3 corner;
+    glm::vec3 edge_u;
+    glm::vec3 edge_v;
+    int material;
+    bool operator==(const Quad&) const = default;
+};
+
+/// An exact sphere, not a mesh; its front is outside, or inside if `inward`.
+/// The object's world transform must scale it evenly.
+struct Sphere {
+    glm::vec3 center;
+    float radius;
+    bool inward;
+    int material;
+    bool operator==(const Sphere&) const = default;
+};
+
+/// An instance of Scene::meshes[mesh].
+struct MeshInstance {
+    int mesh;
+    bool operator==(const MeshInstance&) const = default;
+};
+
+/// Something with a place in the world; a Shape of monostate only groups its children.
+struct Object {
+    std::string name;
+    int parent = -1;  ///< index into Scene::objects of an earlier object, or -1
+    Transform rest;
+    Animation animation;
+    std::variant<std::monostate, Box, Quad, Sphere, MeshInstance> shape;
+    bool operator==(const Object&) const = default;
+};
+
+enum class Falloff {
+    InverseSquare,  ///< E = intensity / d^2: physical
+    None,           ///< E = pi white_radiance at any distance: the light of [Dellson 2023]
+};
+
+/// A light without size that shines alike in every direction.
+struct PointLight {
+    std::string name;
+    glm::vec3 position{0.f};
+    Falloff falloff = Falloff::InverseSquare;
+    Spectrum intensity{0.f};       ///< radiant intensity, W sr^-1; with InverseSquare
+    Spectrum white_radiance{0.f};  ///< radiance of a white surface that faces it; with None
+    bool operator==(const PointLight&) const = default;
+};
+
+/// Irradiance at normal incidence, W m^-2, at the squared distance `d2` from the light.
+Spectrum normal_irradiance(const PointLight& light, float d2);
+
+/// A pinhole camera; `up` need not be perpendicular to the view.
+struct Camera {
+    glm::vec3 eye{0.f, 0.f, 5.f};
+    glm::vec3 target{0.f};
+    glm::vec3 up{0.f, 1.f, 0.f};
+    float vertical_fov = 0.785398f;  ///< radians
+    int width = 1920;                ///< of the finished picture, pixels
+    int height = 1080;
+    bool operator==(const Camera&) const = default;
+};
+
+/// A regular grid of counts.x * counts.y * counts.z probes, the first at `origin`.
+struct ProbeGrid {
+    glm::vec3 origin{0.f};
+    float spacing = 1.f;
+    glm::ivec3 counts{2};
+    bool operator==(const ProbeGrid&) const = default;
+};
+
+/// The constants that [Dellson 2023] sets by hand for each scene, under their published names.
+struct ThesisConstants {
+    float falloffRegulator = 0.f;     ///< a miss brings the neighbour's times this / (2 spacing^2)
+    float bounceAttenuation = 0.f;    ///< scales every lit surfel
+    float probeBrightness = 0.f;      ///< scales the probe light looked up by a pixel
+    float multiBounceIntensity = 0.f; ///< scales the feedback from probes to surfels; 0: none
+    float ambient = 0.f;              ///< radiance added per unit of albedo
+    float imageBrightness = 1.f;      ///< scales the displayed picture only
+    bool operator==(const ThesisConstants&) const = default;
+};
+
+/// A scene as its author wrote it, through all its frames.
+struct Scene {
+    std::string name;
+    std::string description;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Object> objects;
+    std::vector<PointLight> lights;
+    Spectrum environment{0.f};  ///< radiance of rays that leave the scene, W m^-2 sr^-1
+    Camera camera;
+    int frames = 1;
+    float frames_per_second = 60.f;
+    std::optional<ProbeGrid> probes;         ///< none: default_probe_grid() of the first frame
+    std::optional<ThesisConstants> thesis;   ///< as the file has them
+    std::vector<std::string> not_simulated;  ///< what the file asks for beyond this: one line each
+};
+
+}  // namespace plumbline
