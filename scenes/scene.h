@@ -137,6 +137,7 @@ struct Scene {
     std::vector<PointLight> lights;
     Spectrum environment{0.f};  ///< radiance of rays that leave the scene, W m^-2 sr^-1
     Camera camera;
+    int report_frame = 0;  ///< the frame that shows what the scene is about; in [0, frames)
     int frames = 1;
     float frames_per_second = 60.f;
     std::optional<ProbeGrid> probes;         ///< none: default_probe_grid() of the first frame
