@@ -7,18 +7,18 @@ namespace plumbline {
 
 /// Turns positions on the picture to rays.
 class CameraRays {
-   public:
+ public:
     explicit CameraRays(const Camera& camera);
 
     /// The ray through (x, y) in pixels from the top left corner; pixel (i, j) covers
     /// [i, i+1) x [j, j+1).
     Ray through(float x, float y) const;
 
-   private:
+ private:
     glm::vec3 eye_;
-    glm::vec3 corner_;   ///< direction through the top left corner, not normalised
-    glm::vec3 right_;    ///< one pixel to the right
-    glm::vec3 down_;     ///< one pixel down
+    glm::vec3 corner_;  ///< direction through the top left corner, not normalised
+    glm::vec3 right_;   ///< one pixel to the right
+    glm::vec3 down_;    ///< one pixel down
 };
 
 }  // namespace plumbline

@@ -16,7 +16,6 @@ struct CommonOptions {
     std::optional<int> width, height;
     std::optional<int> frame;
     bool quiet = false;
-    std::string size_text;
 
     /// Limits oneTBB to `threads` (kept alive by the returned handle) and silences progress.
     std::shared_ptr<void> apply() const;

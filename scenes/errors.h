@@ -10,7 +10,7 @@ namespace plumbline {
 ///
 /// Thrown anywhere, caught once in plumbline.cpp, which prints the line and exits with 2.
 class InputError : public std::runtime_error {
-   public:
+ public:
     /// `where` is a file, or a file and a place in it ("scene.json: /objects/3/material").
     InputError(const std::string& where, const std::string& problem, const std::string& cure);
     explicit InputError(const std::string& line) : std::runtime_error(line) {}

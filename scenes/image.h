@@ -16,7 +16,7 @@ namespace plumbline {
 ///
 /// A layer is three channels: "" is radiance (R, G, B); "direct" is direct.R, direct.G, direct.B.
 class Image {
-   public:
+ public:
     Image(int width, int height);
 
     int width() const { return width_; }
@@ -44,7 +44,7 @@ class Image {
     /// Where it was read from, for messages.
     std::string source;
 
-   private:
+ private:
     int width_;
     int height_;
     std::map<std::string, std::vector<float>> channels_;

@@ -11,7 +11,7 @@ namespace plumbline {
 
 /// A progress bar with time left on a terminal's stderr; nothing when piped or silenced.
 class Progress {
-   public:
+ public:
     Progress(std::string label, std::uint64_t total);
     ~Progress();
     Progress(const Progress&) = delete;
@@ -23,7 +23,7 @@ class Progress {
     /// Silences every bar of this process (--quiet).
     static void silence();
 
-   private:
+ private:
     void draw(std::uint64_t done);
 
     std::string label_;

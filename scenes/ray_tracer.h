@@ -37,7 +37,7 @@ glm::vec3 offset_origin(const Hit& hit, const glm::vec3& n);
 
 /// Answers visibility queries on a World with Embree 3. Queries are thread-safe.
 class RayTracer {
-   public:
+ public:
     /// Builds the BVH; `world` must outlive it. Throws SceneError if Embree runs out of memory.
     explicit RayTracer(const World& world);
     ~RayTracer();
@@ -52,7 +52,7 @@ class RayTracer {
 
     const World& world() const { return world_; }
 
-   private:
+ private:
     struct Embree;
 
     const World& world_;

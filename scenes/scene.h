@@ -118,12 +118,12 @@ struct ProbeGrid {
 
 /// The constants that [Dellson 2023] sets by hand for each scene, under their published names.
 struct ThesisConstants {
-    float falloffRegulator = 0.f;     ///< a miss brings the neighbour's times this / (2 spacing^2)
-    float bounceAttenuation = 0.f;    ///< scales every lit surfel
-    float probeBrightness = 0.f;      ///< scales the probe light looked up by a pixel
-    float multiBounceIntensity = 0.f; ///< scales the feedback from probes to surfels; 0: none
-    float ambient = 0.f;              ///< radiance added per unit of albedo
-    float imageBrightness = 1.f;      ///< scales the displayed picture only
+    float falloffRegulator = 0.f;      ///< a miss brings the neighbour's times this / (2 spacing^2)
+    float bounceAttenuation = 0.f;     ///< scales every lit surfel
+    float probeBrightness = 0.f;       ///< scales the probe light looked up by a pixel
+    float multiBounceIntensity = 0.f;  ///< scales the feedback from probes to surfels; 0: none
+    float ambient = 0.f;               ///< radiance added per unit of albedo
+    float imageBrightness = 1.f;       ///< scales the displayed picture only
     bool operator==(const ThesisConstants&) const = default;
 };
 
@@ -140,7 +140,7 @@ struct Scene {
     int report_frame = 0;  ///< the frame that shows what the scene is about; in [0, frames)
     int frames = 1;
     float frames_per_second = 60.f;
-    std::optional<ProbeGrid> probes;         ///< none: default_probe_grid() of the first frame
+    std::optional<ProbeGrid> probes;         ///< none: see probe_grid()
     std::optional<ThesisConstants> thesis;   ///< as the file has them
     std::vector<std::string> not_simulated;  ///< what the file asks for beyond this: one line each
 };

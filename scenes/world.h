@@ -49,8 +49,8 @@ struct World {
 /// The world at `frame`. Throws SceneError if a sphere is scaled unevenly.
 World world_at(const Scene& scene, int frame);
 
-/// The grid of the scene, or one laid over the bounds of its first frame: about
-/// `default_probes_along_longest_axis` cells along the longest axis, one cell of margin around.
+/// The grid of the scene, or one laid over the bounds of its first frame: twelve cells along the
+/// longest axis, and half a cell or more of margin on every side.
 ProbeGrid probe_grid(const Scene& scene);
 
 }  // namespace plumbline

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/progress.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace plumbline {
+namespace {
+
+constexpr int bar_width = 30;
+constexpr std::int64_t redraw_ms = 200;
+
+std::atomic<bool> silenced = false;
+
+std::string clock_text(double seconds) {
+    const auto s = static_cast<std::int64_t>(seconds + 0.5);
+    return fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+}  // namespace
+
+Progress::Progress(std::string label, std::uint64_t total)
+    : label_(std::move(label)),
+      total_(std::max<std::uint64_t>(total, 1)),
+      visible_(!silenced && ::isatty(STDERR_FILENO) != 0),
+      start_(std::chrono::steady_clock::now()) {}
+
+Progress::~Progress() {
+    if (visible_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::silence() { silenced = true; }
+
+void Progress::advance(std::uint64_t steps) {
+    const std::uint64_t done = done_.fetch_add(steps, std::memory_order_relaxed) + steps;
+    if (!visible_) return;
+    const auto elapsed = std::chrono::steady_clock::now() - start_;
+    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(elapsed).count();
+    std::int64_t due = next_draw_ms_.load(std::memory_order_relaxed);
+    if (ms < due || !next_draw_ms_.compare_exchange_strong(due, ms + redraw_ms)) return;
+    const std::lock_guard lock(drawing_);
+    draw(done);
+}
+
+void Progress::draw(std::uint64_t done) {
+    const double part = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    const auto filled = static_cast<std::size_t>(part * bar_width);
+    std::string bar(filled, '#');
+    bar.resize(bar_width, '.');
+    const std::string left =
+        part > 0 ? clock_text(elapsed.count() * (1 - part) / part) + " left" : "";
+    fmt::print(stderr, "\r\033[K{} [{}] {:3.0f} % {}", label_, bar, 100 * part, left);
+    std::fflush(stderr);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/ray_tracer.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+namespace plumbline {
+namespace {
+
+World world_of(const Object& object, const Material& material) {
+    Scene scene;
+    scene.name = "test";
+    scene.materials = {material};
+    scene.objects = {object};
+    return world_at(scene, 0);
+}
+
+Object object_of(const std::variant<std::monostate, Box, Quad, Sphere, MeshInstance>& shape,
+                 const Transform& rest = {}) {
+    Object object;
+    object.name = "object";
+    object.rest = rest;
+    object.shape = shape;
+    return object;
+}
+
+const Quad unit_floor{{-1.f, 0.f, -1.f}, {0.f, 0.f, 2.f}, {2.f, 0.f, 0.f}, 0};
+
+glm::vec3 unit_direction(std::mt19937& random) {
+    std::normal_distribution<float> normal;
+    return glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
+}
+
+}  // namespace
+
+TEST_CASE("a ray meets the front of a quad where it should", "[scenes][rays]") {
+    const World world = world_of(object_of(unit_floor), {});
+    const RayTracer tracer(world);
+    const auto hit = tracer.intersect({{0.25f, 3.f, 0.5f}, {0.f, -1.f, 0.f}}, BackFaces::Hit);
+    REQUIRE(hit);
+    CHECK(hit->t == Approx(3.f));
+    CHECK(hit->position.x == Approx(0.25f));
+    CHECK(hit->position.z == Approx(0.5f));
+    CHECK(hit->ng.y == Approx(1.f));
+    CHECK_FALSE(hit->back);
+    CHECK(hit->n().y == Approx(1.f));
+}
+
+TEST_CASE("the back of a surface is culled only if it is one-sided and culling is asked for",
+          "[scenes][rays]") {
+    const bool two_sided = GENERATE(false, true);
+    Material material;
+    material.two_sided = two_sided;
+    const World world = world_of(object_of(unit_floor), material);
+    const RayTracer tracer(world);
+    const Ray up{{0.1f, -2.f, 0.2f}, {0.f, 1.f, 0.f}};
+    CHECK(tracer.intersect(up, BackFaces::Cull).has_value() == two_sided);
+    const auto hit = tracer.intersect(up, BackFaces::Hit);
+    REQUIRE(hit);
+    CHECK(hit->back);
+    CHECK(hit->n().y == Approx(-1.f));
+    CHECK(tracer.occluded({0.1f, -2.f, 0.2f}, {0.1f, 2.f, 0.2f}));
+}
+
+TEST_CASE("an inward sphere shows its front inside and its back outside", "[scenes][rays]") {
+    const World world = world_of(object_of(Sphere{{1.f, 2.f, 3.f}, 2.f, true, 0}), {});
+    const RayTracer tracer(world);
+    const auto inside = tracer.intersect({{1.f, 2.f, 3.f}, {0.f, 0.f, 1.f}}, BackFaces::Cull);
+    REQUIRE(inside);
+    CHECK(inside->position.z == Approx(5.f));
+    CHECK(inside->ng.z == Approx(-1.f));
+    const auto through = tracer.intersect({{1.f, 2.f, -9.f}, {0.f, 0.f, 1.f}}, BackFaces::Cull);
+    REQUIRE(through);  // past the near back to the far front
+    CHECK(through->position.z == Approx(5.f));
+    CHECK_FALSE(through->back);
+}
+
+TEST_CASE("a mirrored box still faces outward", "[scenes][rays]") {
+    Transform mirrored;
+    mirrored.scale = {-1.f, 2.f, 0.5f};
+    const Box box{{-1.f, -1.f, -1.f}, {1.f, 1.f, 1.f}, {0, 0, 0, 0, 0, 0}};
+    const World world = world_of(object_of(box, mirrored), {});
+    const RayTracer tracer(world);
+    std::mt19937 random(1);
+    for (int i = 0; i < 1000; ++i) {
+        const glm::vec3 direction = unit_direction(random);
+        const auto hit = tracer.intersect({-5.f * direction, direction}, BackFaces::Hit);
+        REQUIRE(hit);
+        CHECK_FALSE(hit->back);
+    }
+}
+
+TEST_CASE("a point on a surface is not hidden by that surface at any scale", "[scenes][rays]") {
+    // From a random point on a box's inside every point inside is visible: a box is convex.
+    const float scale = GENERATE(1e-4f, 1.f, 1e4f);
+    const float shift = GENERATE(0.f, 10.f, 1000.f);
+    Transform placed;
+    placed.scale = glm::vec3(-scale);  // turned inside out below by two-sidedness
+    placed.rotation = glm::angleAxis(0.7f, glm::normalize(glm::vec3(1.f, 2.f, 3.f)));
+    placed.translation = glm::vec3(shift * scale);
+    Material material;
+    material.two_sided = true;
+    const Box box{{-1.f, -1.f, -1.f}, {1.f, 1.f, 1.f}, {0, 0, 0, 0, 0, 0}};
+    const World world = world_of(object_of(box, placed), material);
+    const RayTracer tracer(world);
+    std::mt19937 random(7);
+    std::size_t blocked = 0;
+    std::size_t escaped = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Ray ray{placed.translation, unit_direction(random)};
+        const auto hit = tracer.intersect(ray, BackFaces::Hit);
+        REQUIRE(hit);
+        const glm::vec3 start = offset_origin(*hit, hit->n());
+        blocked += tracer.occluded(start, placed.translation) ? 1u : 0u;
+        glm::vec3 onward = unit_direction(random);
+        if (glm::dot(onward, hit->n()) < 0.f) onward = -onward;
+        const auto next = tracer.intersect({start, onward}, BackFaces::Hit);
+        escaped += next.has_value() && next->n() != hit->n() ? 0u : 1u;
+    }
+    CHECK(blocked == 0);
+    // A ray that starts within the error of an edge may slip out beside the neighbouring face.
+    CHECK(escaped == 0);
+}
+
+TEST_CASE("a light that lies on a surface is not hidden by it", "[scenes][rays]") {
+    const World world = world_of(object_of(unit_floor), {});
+    const RayTracer tracer(world);
+    CHECK_FALSE(tracer.occluded({0.3f, 2.f, 0.1f}, {0.f, 0.f, 0.f}));
+}
+
+}  // namespace plumbline
