@@ -206,9 +206,15 @@ std::optional<Hit> RayTracer::intersect(const Ray& ray, BackFaces back_faces) co
 }
 
 bool RayTracer::occluded(const glm::vec3& a, const glm::vec3& b) const {
+    // A surface that `b` lies on is not between: its distance is known to within this much.
+    const glm::vec3 way = b - a;
+    const float error = position_error(glm::max(largest_coordinate(a), largest_coordinate(b)));
+    const float t_max = 1.f - 2.f * error / glm::length(way);
+    if (!(t_max > 0.f)) return false;  // nearer than floats can tell apart, or the same point
+
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRay ray = embree_ray(a, b - a, 1.f);
+    RTCRay ray = embree_ray(a, way, t_max);
     rtcOccluded1(embree_->scene, &context, &ray);
     return ray.tfar < 0.f;
 }
