@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ddgi/model.h"
+
+namespace plumbline::ddgi {
+
+/// Energy-conserving octants. A probe stores, per octant, the mean radiance that arrives through
+/// it; a surface under it gathers sum_d L_d W_d(n) (see octant_cosines).
+///
+/// A surfel shows a/pi (E_direct + E_probes) + emission, and a ray that meets nothing brings the
+/// environment's radiance. Each update is thus a convex mean times an albedo: a contraction in
+/// the largest value, by the largest albedo of the scene. There is no constant to tune.
+class ConservingModel final : public ProbeModel {
+   public:
+    explicit ConservingModel(const ProbeGrid& grid) : grid_(grid) {}
+
+    RayPattern pattern(int surfels) const override { return even_pattern(surfels); }
+    Reach reach() const override { return Reach::FirstSurface; }
+    std::size_t bins() const override { return principal_directions.size(); }
+    void take_surfels(const SurfelCache& cache, const Spectrum& environment) override;
+    void update(std::span<const float> previous, std::span<float> next) const override;
+    Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
+
+   private:
+    ProbeGrid grid_;
+    const SurfelCache* cache_ = nullptr;
+    std::vector<Spectrum> unfed_;  ///< radiance each surfel ray brings without any feedback
+};
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "scenes/ray_tracer.h"
+
+namespace plumbline::ddgi {
+
+/// Irradiance from the lights, W m^-2, and the shadow rays that it took.
+struct DirectLight {
+    Spectrum irradiance{0.f};
+    std::uint32_t shadow_rays = 0;
+};
+
+/// At `position`, just off a surface with unit normal `n`, with `rays` shadow rays a light: the
+/// sum over lights of E_light max(n . l, 0) times the share of rays that arrive.
+///
+/// A light without size is seen from a point whole or not at all, so its rays are all the same.
+DirectLight direct_light(const RayTracer& tracer, const glm::vec3& position, const glm::vec3& n,
+                         int rays = 1);
+
+}  // namespace plumbline::ddgi

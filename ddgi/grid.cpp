@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/grid.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "scenes/errors.h"
+
+namespace plumbline::ddgi {
+namespace {
+
+/// A spacing that divides the extent up to rounding adds no cell.
+constexpr float division_tolerance = 1e-4f;
+constexpr float most_probes_along_an_axis = 1024.f;
+
+}  // namespace
+
+std::uint32_t probe_count(const ProbeGrid& grid) {
+    return static_cast<std::uint32_t>(grid.counts.x * grid.counts.y * grid.counts.z);
+}
+
+std::uint32_t probe_index(const ProbeGrid& grid, const glm::ivec3& cell) {
+    return static_cast<std::uint32_t>((cell.y * grid.counts.x + cell.x) * grid.counts.z + cell.z);
+}
+
+glm::ivec3 probe_cell(const ProbeGrid& grid, std::uint32_t probe) {
+    const auto index = static_cast<int>(probe);
+    const int line = index / grid.counts.z;
+    return {line % grid.counts.x, line / grid.counts.x, index % grid.counts.z};
+}
+
+glm::vec3 probe_position(const ProbeGrid& grid, std::uint32_t probe) {
+    return grid.origin + grid.spacing * glm::vec3(probe_cell(grid, probe));
+}
+
+ProbeGrid with_spacing(const ProbeGrid& grid, float spacing) {
+    if (!(spacing > 0.f) || !std::isfinite(spacing)) {
+        throw UsageError("--spacing", fmt::format("{} is not a distance between probes", spacing),
+                         fmt::format("give a positive length; the scene has {}", grid.spacing));
+    }
+    const glm::vec3 extent = grid.spacing * glm::vec3(grid.counts - 1);
+    const glm::vec3 cells = glm::ceil(extent / spacing - division_tolerance);
+    if (max_component(cells) >= most_probes_along_an_axis) {
+        throw UsageError("--spacing",
+                         fmt::format("{} makes {} probes along an axis", spacing,
+                                     static_cast<double>(max_component(cells)) + 1),
+                         fmt::format("give {} or more", max_component(extent) /
+                                                            (most_probes_along_an_axis - 1.f)));
+    }
+    const glm::vec3 overhang = spacing * cells - extent;
+    return {grid.origin - overhang / 2.f, spacing, glm::ivec3(cells) + 1};
+}
+
+ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point) {
+    const glm::vec3 last = glm::vec3(grid.counts - 1);
+    const glm::vec3 cells = glm::clamp((point - grid.origin) / grid.spacing, glm::vec3(0.f), last);
+    // A point on the last layer belongs to the cell before it.
+    const glm::ivec3 base = glm::max(glm::min(glm::ivec3(cells), grid.counts - 2), 0);
+    const glm::vec3 upper = cells - glm::vec3(base);
+    const glm::vec3 lower = 1.f - upper;
+
+    ProbeNeighbours result;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 offset(corner >> 2u & 1u, corner >> 1u & 1u, corner & 1u);
+        const glm::ivec3 cell = glm::min(base + offset, grid.counts - 1);
+        result.probe[corner] = probe_index(grid, cell);
+        result.weight[corner] = (offset.x != 0 ? upper.x : lower.x) *
+                                (offset.y != 0 ? upper.y : lower.y) *
+                                (offset.z != 0 ? upper.z : lower.z);
+    }
+    return result;
+}
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "scenes/scene.h"
+
+namespace plumbline::ddgi {
+
+/// How many probes a grid has.
+std::uint32_t probe_count(const ProbeGrid& grid);
+
+/// Where a probe is stored: layer by layer in y; within a layer, lines of constant x; z contiguous
+/// [Dellson 2023, section 4.3.3].
+std::uint32_t probe_index(const ProbeGrid& grid, const glm::ivec3& cell);
+
+/// The inverse of probe_index.
+glm::ivec3 probe_cell(const ProbeGrid& grid, std::uint32_t probe);
+
+/// Where a probe stands, world space.
+glm::vec3 probe_position(const ProbeGrid& grid, std::uint32_t probe);
+
+/// The grid over the same extent with another spacing, centred on it; where the spacing does not
+/// divide the extent the new grid reaches over it by less than a cell.
+/// Throws UsageError if the spacing is not positive or the grid would be too large to index.
+ProbeGrid with_spacing(const ProbeGrid& grid, float spacing);
+
+/// The eight probes around a point and their trilinear weights, which sum to one.
+struct ProbeNeighbours {
+    std::array<std::uint32_t, 8> probe;
+    std::array<float, 8> weight;
+};
+
+/// The cell around `point`, which is first clamped into the grid [Dellson 2023, listing 4.1].
+ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point);
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/model.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "ddgi/conserving_model.h"
+#include "ddgi/nearest_name.h"
+#include "ddgi/thesis_model.h"
+#include "scenes/errors.h"
+
+namespace plumbline::ddgi {
+namespace {
+
+void refuse_constants(const std::string& model, const std::map<std::string, double>& set) {
+    if (set.empty()) return;
+    throw UsageError("--set " + set.begin()->first,
+                     fmt::format("the model {} has no constants to set", model),
+                     "leave --set out, or give --model thesis");
+}
+
+ModelSetup make_thesis(const Scene& scene, const ProbeGrid& grid,
+                       const std::map<std::string, double>& set) {
+    ModelSetup setup;
+    const ThesisConstants constants = thesis_constants(scene, grid, set, setup.notes);
+    setup.model = std::make_unique<ThesisModel>(constants, grid);
+    const bool emits = std::ranges::any_of(
+        scene.materials, [](const Material& material) { return material.emission != Spectrum(0.f); });
+    if (emits || scene.environment != Spectrum(0.f)) {
+        setup.notes.emplace_back(
+            "the model thesis takes light from point lights only; emission and environment are "
+            "seen, but light nothing");
+    }
+    return setup;
+}
+
+}  // namespace
+
+Spectrum ProbeModel::ambient(const Spectrum&) const { return Spectrum(0.f); }
+
+std::map<std::string, double> ProbeModel::constants() const { return {}; }
+
+std::vector<std::string> model_names() { return {"conserving", "thesis"}; }
+
+ModelSetup make_model(const std::string& name, const Scene& scene, const ProbeGrid& grid,
+                      const std::map<std::string, double>& set) {
+    if (name == "thesis") return make_thesis(scene, grid, set);
+    if (name == "conserving") {
+        refuse_constants(name, set);
+        return {std::make_unique<ConservingModel>(grid), {}};
+    }
+    throw UsageError("--model", fmt::format("there is no model '{}'", name),
+                     choices(name, model_names()));
+}
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scenes/geometry.h"
+
+namespace plumbline::ddgi {
+
+constexpr int principal_direction_count = 8;
+
+/// The directions that a probe of [Dellson 2023, section 3.2] keeps apart, of length sqrt(2).
+/// Each stands for an octant of the sphere: its azimuth +-45 degrees, upper or lower half.
+constexpr std::array<glm::ivec3, principal_direction_count> principal_directions = {{
+    {1, 1, 0},
+    {0, 1, 1},
+    {-1, 1, 0},
+    {0, 1, -1},
+    {1, -1, 0},
+    {0, -1, 1},
+    {-1, -1, 0},
+    {0, -1, -1},
+}};
+
+/// Unit directions of a probe's surfel rays, the same for all probes, sorted by octant: octant d
+/// owns [d * per_octant(), (d + 1) * per_octant()).
+struct RayPattern {
+    std::vector<glm::vec3> directions;
+
+    int size() const { return static_cast<int>(directions.size()); }
+    int per_octant() const { return size() / principal_direction_count; }
+    int octant(int ray) const { return ray / per_octant(); }
+};
+
+/// The numbers of rays that thesis_pattern() is published for.
+constexpr std::array<int, 4> thesis_pattern_sizes = {64, 96, 128, 160};
+
+/// The pattern of [Dellson 2023]: rings even in polar angle, hence denser near the poles.
+/// `surfels` is one of thesis_pattern_sizes; throws UsageError otherwise.
+RayPattern thesis_pattern(int surfels);
+
+/// Rays that stand for equal solid angles 4 pi / surfels. Each octant is cut into bands and
+/// these into cells of the same area, as in [Leopardi 2006]; a ray goes through each cell's middle.
+/// `surfels` is a positive multiple of 8; throws UsageError otherwise.
+RayPattern even_pattern(int surfels);
+
+}  // namespace plumbline::ddgi

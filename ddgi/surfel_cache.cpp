@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/surfel_cache.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "ddgi/direct_light.h"
+#include "ddgi/stopwatch.h"
+
+namespace plumbline::ddgi {
+namespace {
+
+/// How far rays go: to the first surface, or one cell along their longest axis.
+float ray_length(Reach reach, float spacing, const glm::vec3& direction) {
+    if (reach == Reach::FirstSurface) return std::numeric_limits<float>::infinity();
+    return spacing / max_component(glm::abs(direction));
+}
+
+bool any_meets(const Motion& motion, const Ray& ray, float length) {
+    return std::ranges::any_of(motion.boxes, [&](const Bounds& box) {
+        return meets(box, ray.origin, ray.direction, length);
+    });
+}
+
+/// Calls body(begin, end) on ranges of whole probes' surfels, in parallel.
+template <typename Body>
+void for_probes(const Surfels& surfels, const Body& body) {
+    const auto per_probe = static_cast<std::size_t>(surfels.per_probe);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surfels.size() / per_probe),
+                      [&](const tbb::blocked_range<std::size_t>& probes) {
+                          body(probes.begin() * per_probe, probes.end() * per_probe);
+                      });
+}
+
+}  // namespace
+
+SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach)
+    : grid_(grid), pattern_(std::move(pattern)), reach_(reach) {
+    surfels_.resize(probe_count(grid), pattern_.size());
+    to_place_.resize(surfels_.size());
+    to_light_.resize(surfels_.size());
+}
+
+void SurfelCache::rebuild(const RayTracer& tracer) {
+    figures_ = {};
+    std::ranges::fill(to_place_, std::uint8_t{1});
+    place_marked(tracer);
+    std::ranges::fill(to_light_, std::uint8_t{1});
+    light_marked(tracer);
+}
+
+void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
+    figures_ = {};
+    if (motion.none()) return;
+    mark_touched(motion);
+    place_marked(tracer);
+    mark_shadows(tracer.world(), motion);
+    light_marked(tracer);
+}
+
+Ray SurfelCache::ray_of(std::size_t surfel) const {
+    const auto per_probe = static_cast<std::size_t>(surfels_.per_probe);
+    const auto probe = static_cast<std::uint32_t>(surfel / per_probe);
+    const glm::vec3& direction = pattern_.directions[surfel % per_probe];
+    return {probe_position(grid_, probe), direction, ray_length(reach_, grid_.spacing, direction)};
+}
+
+void SurfelCache::mark_touched(const Motion& motion) {
+    const Stopwatch watch;
+    for_probes(surfels_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t surfel = begin; surfel < end; ++surfel) {
+            const Ray ray = ray_of(surfel);
+            const bool touched =
+                reach_ == Reach::FirstSurface
+                    ? any_meets(motion, ray, surfels_.distance[surfel])
+                    : std::ranges::any_of(motion.boxes, [&](const Bounds& box) {
+                          return box.grown(grid_.spacing).contains(ray.origin);
+                      });
+            to_place_[surfel] = touched ? 1 : 0;
+        }
+    });
+    figures_.place_ms += watch.ms();
+}
+
+void SurfelCache::place_marked(const RayTracer& tracer) {
+    const Stopwatch watch;
+    std::atomic<std::uint64_t> replaced{0};
+    for_probes(surfels_, [&](std::size_t begin, std::size_t end) {
+        std::uint64_t placed = 0;
+        for (std::size_t surfel = begin; surfel < end; ++surfel) {
+            if (to_place_[surfel] == 0) continue;
+            place(tracer, surfel);
+            ++placed;
+        }
+        replaced += placed;
+    });
+    figures_.replaced = replaced;
+    figures_.place_ms += watch.ms();
+}
+
+void SurfelCache::place(const RayTracer& tracer, std::size_t surfel) {
+    const std::optional<Hit> hit = tracer.intersect(ray_of(surfel), BackFaces::Cull);
+    if (!hit) {
+        surfels_.distance[surfel] = std::numeric_limits<float>::infinity();
+        return;
+    }
+    surfels_.distance[surfel] = hit->t;
+    surfels_.position[surfel] = offset_origin(*hit, hit->n());
+    surfels_.n[surfel] = hit->n();
+    surfels_.albedo[surfel] = hit->albedo;
+    surfels_.emission[surfel] =
+        tracer.world().materials[static_cast<std::size_t>(hit->material)].emission;
+}
+
+void SurfelCache::mark_shadows(const World& world, const Motion& motion) {
+    const Stopwatch watch;
+    const auto in_touched_light = [&](std::size_t surfel) {
+        return std::ranges::any_of(world.lights, [&](const PointLight& light) {
+            const glm::vec3& position = surfels_.position[surfel];
+            return any_meets(motion, {position, light.position - position}, 1.f);
+        });
+    };
+    for_probes(surfels_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t surfel = begin; surfel < end; ++surfel) {
+            const bool relight = to_place_[surfel] != 0 || motion.lights ||
+                                 (surfels_.hit(surfel) && in_touched_light(surfel));
+            to_light_[surfel] = relight ? 1 : 0;
+        }
+    });
+    figures_.light_ms += watch.ms();
+}
+
+void SurfelCache::light_marked(const RayTracer& tracer) {
+    const Stopwatch watch;
+    std::atomic<std::uint64_t> shadow_rays{0};
+    for_probes(surfels_, [&](std::size_t begin, std::size_t end) {
+        std::uint64_t rays = 0;
+        for (std::size_t surfel = begin; surfel < end; ++surfel) {
+            if (to_light_[surfel] == 0 || !surfels_.hit(surfel)) continue;
+            const DirectLight light =
+                direct_light(tracer, surfels_.position[surfel], surfels_.n[surfel]);
+            surfels_.direct[surfel] = light.irradiance;
+            rays += light.shadow_rays;
+        }
+        shadow_rays += rays;
+    });
+    figures_.shadow_rays = shadow_rays;
+    figures_.light_ms += watch.ms();
+}
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ddgi/grid.h"
+#include "ddgi/motion.h"
+#include "ddgi/patterns.h"
+#include "ddgi/surfels.h"
+#include "scenes/ray_tracer.h"
+
+namespace plumbline::ddgi {
+
+/// How far surfel rays go, and so which of them a moved object can touch.
+enum class Reach {
+    /// One cell along each axis. A probe re-places all its surfels if it lies within a cell of a
+    /// moved object's box [Dellson 2023, section 3.6].
+    OneCell,
+    /// To the first surface. A surfel is re-placed if its ray, up to where it ended, meets a moved
+    /// object's box, and no other is.
+    FirstSurface,
+};
+
+/// The surfels of all probes, traced and lit again only where the world changed.
+///
+/// After every call the surfels are the ones that tracing all of them afresh would give.
+class SurfelCache {
+   public:
+    SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach);
+
+    /// Places and lights every surfel.
+    void rebuild(const RayTracer& tracer);
+    /// Places and lights those that `motion` touches; `motion` leads from the world of the last
+    /// call to that of `tracer`.
+    void refresh(const RayTracer& tracer, const Motion& motion);
+
+    const Surfels& surfels() const { return surfels_; }
+    const RayPattern& pattern() const { return pattern_; }
+    const ProbeGrid& grid() const { return grid_; }
+
+    /// What the last call did, and what it took.
+    struct Figures {
+        double place_ms = 0;
+        double light_ms = 0;
+        std::uint64_t replaced = 0;
+        std::uint64_t shadow_rays = 0;
+    };
+    const Figures& figures() const { return figures_; }
+
+   private:
+    void mark_touched(const Motion& motion);
+    void place_marked(const RayTracer& tracer);
+    void mark_shadows(const World& world, const Motion& motion);
+    void light_marked(const RayTracer& tracer);
+    void place(const RayTracer& tracer, std::size_t surfel);
+    Ray ray_of(std::size_t surfel) const;
+
+    ProbeGrid grid_;
+    RayPattern pattern_;
+    Reach reach_;
+    Surfels surfels_;
+    std::vector<std::uint8_t> to_place_;  ///< one a surfel
+    std::vector<std::uint8_t> to_light_;  ///< one a surfel
+    Figures figures_;
+};
+
+}  // namespace plumbline::ddgi

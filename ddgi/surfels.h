@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "scenes/geometry.h"
+
+namespace plumbline::ddgi {
+
+/// Where the probes' rays met the scene, as a structure of arrays: the surfel of ray r of probe p
+/// is at p * per_probe + r. Of a miss only `distance` is meaningful.
+struct Surfels {
+    int per_probe = 0;
+    std::vector<float> distance;      ///< from the probe; infinite for a miss
+    std::vector<glm::vec3> position;  ///< world space, off the surface by its rounding error
+    std::vector<glm::vec3> n;         ///< unit normal on the side that was hit
+    std::vector<Spectrum> albedo;
+    std::vector<Spectrum> emission;  ///< radiance, W m^-2 sr^-1
+    std::vector<Spectrum> direct;    ///< irradiance from the lights, W m^-2
+
+    std::size_t size() const { return distance.size(); }
+    bool hit(std::size_t surfel) const { return std::isfinite(distance[surfel]); }
+
+    void resize(std::size_t probes, int surfels_per_probe) {
+        per_probe = surfels_per_probe;
+        const std::size_t count = probes * static_cast<std::size_t>(surfels_per_probe);
+        distance.resize(count, std::numeric_limits<float>::infinity());
+        position.resize(count);
+        n.resize(count);
+        albedo.resize(count);
+        emission.resize(count);
+        direct.resize(count);
+    }
+};
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <glm/gtc/constants.hpp>
+#include <span>
+#include <vector>
+
+#include "ddgi/look_up.h"
+#include "ddgi/patterns.h"
+#include "ddgi/surfels.h"
+
+// The probes of [Dellson 2023] as formulas in their constants. The renderer calls them with
+// T = float; a fit calls the same code with dual numbers, and no ray is traced again.
+//
+//     C[p][d] = mean over the rays of (p, d) of
+//                 a hit:  clamp(b a (E / pi + m Q(s, n_s)), 0, 1) cos(D_d, ray) / max(|s - p|^2, 1)
+//                 a miss: C[q][d] falloffRegulator / (2 h^2),  q the neighbour along D_d
+//     Q(x, n) = trilinear over the probes around x of sum_d C[p][d] max(0, n . D_d)
+
+namespace plumbline::ddgi {
+
+/// Those of the thesis's constants that act on probe light, under their published names.
+template <typename T>
+struct ThesisParameters {
+    T falloffRegulator;      ///< length^2; scales what a missed ray takes from the neighbour
+    T bounceAttenuation;     ///< b: scales every lit surfel
+    T probeBrightness;       ///< a pixel adds this times Q
+    T multiBounceIntensity;  ///< m: scales the feedback; 0: none
+};
+
+/// What the formulas read of a frame; the referred to must live on.
+struct ThesisField {
+    const ProbeGrid& grid;
+    const RayPattern& pattern;
+    const Surfels& surfels;
+};
+
+constexpr std::size_t octants = principal_directions.size();
+
+/// max(0, n . D_d), with D_d as published: not normalised.
+inline std::array<float, octants> thesis_response(const glm::vec3& n) {
+    std::array<float, octants> response;
+    for (std::size_t d = 0; d < octants; ++d) {
+        response[d] = glm::max(0.f, glm::dot(n, glm::vec3(principal_directions[d])));
+    }
+    return response;
+}
+
+/// Q(x, n), the light looked up at a point with unit normal n, from values of all probes.
+template <typename T>
+std::array<T, 3> thesis_look_up(const ProbeGrid& grid, std::span<const T> values,
+                                const glm::vec3& x, const glm::vec3& n) {
+    const std::array<float, octants> response = thesis_response(n);
+    return look_up<T>(probe_neighbours(grid, x), response, values);
+}
+
+/// The part of a missed ray that the neighbour's value makes up.
+template <typename T>
+T thesis_propagation(const T& falloffRegulator, float spacing) {
+    return falloffRegulator / Coefficient<T>(2.f * spacing * spacing);
+}
+
+/// The probe that a missed ray of principal direction d reads. Border probes step inward first,
+/// so that they read themselves or a probe further in. Needs three probes along each axis.
+inline std::uint32_t thesis_neighbour(const ProbeGrid& grid, std::uint32_t probe, std::size_t d) {
+    const glm::ivec3 inner = glm::clamp(probe_cell(grid, probe), 1, grid.counts - 2);
+    return probe_index(grid, inner + principal_directions[d]);
+}
+
+/// Radiance of a lit surfel as the probes take it: attenuated, then clamped as published.
+template <typename T>
+T thesis_surfel(const T& radiance, const T& bounceAttenuation) {
+    const T lit = radiance * bounceAttenuation;
+    if (lit < T(0)) return T(0);
+    if (lit > T(1)) return T(1);
+    return lit;
+}
+
+/// The share of missed rays per probe and principal direction, at probe * octants + d.
+std::vector<float> thesis_miss_shares(const ThesisField& field);
+
+/// The hits' part of an update, into `lit` (probes * 3 * octants values, see value_index).
+/// `previous`: the values that feed back; may be empty if multiBounceIntensity is 0. Without
+/// feedback the result does not change from one update to the next.
+template <typename T>
+void thesis_lit(const ThesisField& field, const ThesisParameters<T>& parameters,
+                std::span<const T> previous, std::span<T> lit) {
+    const bool feedback = !previous.empty();
+    const auto per_octant = static_cast<std::size_t>(field.pattern.per_octant());
+    const auto light_octant = [&](std::size_t probe, std::size_t d) {
+        const glm::vec3 axis = glm::normalize(glm::vec3(principal_directions[d]));
+        std::array<T, 3> sum{T(0), T(0), T(0)};
+        for (std::size_t ray = d * per_octant; ray < (d + 1) * per_octant; ++ray) {
+            const std::size_t surfel = probe * octants * per_octant + ray;
+            if (!field.surfels.hit(surfel)) continue;
+            const float distance = field.surfels.distance[surfel];
+            const float cosine = glm::max(0.f, glm::dot(axis, field.pattern.directions[ray]));
+            const Coefficient<T> share = cosine / glm::max(distance * distance, 1.f);
+            std::array<T, 3> Q{T(0), T(0), T(0)};
+            if (feedback) {
+                Q = thesis_look_up<T>(field.grid, previous, field.surfels.position[surfel],
+                                      field.surfels.n[surfel]);
+            }
+            for (int c = 0; c < 3; ++c) {
+                const Coefficient<T> albedo = field.surfels.albedo[surfel][c];
+                const T incident =
+                    parameters.multiBounceIntensity * Q[static_cast<std::size_t>(c)] +
+                    Coefficient<T>(field.surfels.direct[surfel][c] / glm::pi<float>());
+                sum[static_cast<std::size_t>(c)] +=
+                    share * thesis_surfel<T>(albedo * incident, parameters.bounceAttenuation);
+            }
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            lit[value_index(probe, c, d, octants)] = sum[c] / Coefficient<T>(per_octant);
+        }
+    };
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(field.grid)}, [&](std::size_t probe) {
+        for (std::size_t d = 0; d < octants; ++d) light_octant(probe, d);
+    });
+}
+
+/// One update of all probes: next = lit + miss share * propagation * previous[neighbour].
+template <typename T>
+void thesis_propagate(const ProbeGrid& grid, std::span<const float> miss_shares,
+                      const T& propagation, std::span<const T> lit, std::span<const T> previous,
+                      std::span<T> next) {
+    tbb::parallel_for(std::uint32_t{0}, probe_count(grid), [&](std::uint32_t probe) {
+        for (std::size_t d = 0; d < octants; ++d) {
+            const std::uint32_t neighbour = thesis_neighbour(grid, probe, d);
+            const T passed = propagation * Coefficient<T>(miss_shares[probe * octants + d]);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::size_t here = value_index(probe, c, d, octants);
+                next[here] = lit[here] + passed * previous[value_index(neighbour, c, d, octants)];
+            }
+        }
+    });
+}
+
+}  // namespace plumbline::ddgi
