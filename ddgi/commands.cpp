@@ -3,6 +3,6 @@
 
 namespace plumbline {
 
-void add_ddgi_commands(CLI::App&) {}
+void add_ddgi_commands(CLI::App& app) { ddgi::add_ddgi_command(app); }
 
 }  // namespace plumbline

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddgi/conserving_model.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <atomic>
 #include <glm/gtc/constants.hpp>
 
 #include "ddgi/look_up.h"
@@ -13,7 +15,7 @@ namespace {
 
 /// octant_cosines() of one normal after another; neighbours often share theirs.
 class OctantCosines {
-   public:
+ public:
     std::span<const float> at(const glm::vec3& n) {
         if (n != n_) {
             n_ = n;
@@ -22,9 +24,9 @@ class OctantCosines {
         return cosines_;
     }
 
-   private:
+ private:
     glm::vec3 n_{0.f};  // no unit normal, so the first call computes
-    std::array<float, principal_direction_count> cosines_{};
+    std::array<float, octant_count> cosines_{};
 };
 
 /// E(x, n) from the probes, W m^-2.
@@ -36,51 +38,66 @@ Spectrum irradiance(const ProbeGrid& grid, std::span<const float> values, const 
 
 }  // namespace
 
-void ConservingModel::take_surfels(const SurfelCache& cache, const Spectrum& environment) {
-    cache_ = &cache;
-    const Surfels& surfels = cache.surfels();
-    unfed_.resize(surfels.size());
-    tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
-        unfed_[i] = surfels.hit(i) ? surfels.albedo[i] / glm::pi<float>() * surfels.direct[i] +
-                                         surfels.emission[i]
-                                   : environment;
-    });
-}
-
-void ConservingModel::update(std::span<const float> previous, std::span<float> next) const {
-    const Surfels& surfels = cache_->surfels();
-    const auto per_octant = static_cast<std::size_t>(cache_->pattern().per_octant());
-    const auto update_probe = [&](std::size_t probe, OctantCosines& cosines) {
-        for (std::size_t d = 0; d < bins(); ++d) {
-            Spectrum sum(0.f);
-            const std::size_t first = (probe * bins() + d) * per_octant;
-            for (std::size_t i = first; i < first + per_octant; ++i) {
-                sum += unfed_[i];
-                if (!surfels.hit(i) || surfels.albedo[i] == Spectrum(0.f)) continue;
-                const Spectrum E = irradiance(grid_, previous, surfels.position[i],
-                                              cosines.at(surfels.n[i]));
-                sum += surfels.albedo[i] / glm::pi<float>() * E;
-            }
-            const Spectrum mean = sum / static_cast<float>(per_octant);
-            for (std::size_t c = 0; c < 3; ++c) {
-                next[value_index(probe, c, d, bins())] = mean[static_cast<int>(c)];
-            }
+template <typename Radiance>
+void ConservingModel::average(std::span<float> values, const Radiance& radiance) const {
+    const std::size_t per_octant = cache_->pattern().per_octant();
+    const auto average_octant = [&](std::size_t probe, std::size_t d, OctantCosines& cosines) {
+        Spectrum sum(0.f);
+        const std::size_t first = (probe * bins() + d) * per_octant;
+        for (std::size_t i = first; i < first + per_octant; ++i) sum += radiance(i, cosines);
+        for (std::size_t c = 0; c < 3; ++c) {
+            values[value_index(probe, c, d, bins())] =
+                sum[static_cast<int>(c)] / static_cast<float>(per_octant);
         }
     };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, probe_count(grid_)),
                       [&](const tbb::blocked_range<std::size_t>& probes) {
                           OctantCosines cosines;
                           for (std::size_t p = probes.begin(); p < probes.end(); ++p) {
-                              update_probe(p, cosines);
+                              for (std::size_t d = 0; d < bins(); ++d)
+                                  average_octant(p, d, cosines);
                           }
                       });
 }
 
+void ConservingModel::take_surfels(const SurfelCache& cache, const Spectrum& environment) {
+    cache_ = &cache;
+    const Surfels& surfels = cache.surfels();
+    const auto emitted = [&](std::size_t i) {
+        return surfels.hit(i) ? surfels.emission[i] : environment;
+    };
+    unfed_.resize(surfels.size());
+    std::atomic<bool> any_emits = false;
+    tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
+        unfed_[i] = emitted(i);
+        if (unfed_[i] != Spectrum(0.f)) any_emits = true;
+        if (!surfels.hit(i)) return;
+        unfed_[i] += surfels.albedo[i] / glm::pi<float>() * surfels.direct[i];
+    });
+    emitted_.clear();
+    if (!any_emits) return;
+    emitted_.resize(probe_count(grid_) * 3 * bins());
+    average(emitted_, [&](std::size_t i, OctantCosines&) { return emitted(i); });
+}
+
+void ConservingModel::update(std::span<const float> previous, std::span<float> next) const {
+    const Surfels& surfels = cache_->surfels();
+    average(next, [&](std::size_t i, OctantCosines& cosines) {
+        if (!surfels.hit(i) || surfels.albedo[i] == Spectrum(0.f)) return unfed_[i];
+        const Spectrum E =
+            irradiance(grid_, previous, surfels.position[i], cosines.at(surfels.n[i]));
+        return unfed_[i] + surfels.albedo[i] / glm::pi<float>() * E;
+    });
+}
+
 Spectrum ConservingModel::probe_light(std::span<const float> values,
                                       const ReceiverPoint& point) const {
-    const Spectrum E =
-        irradiance(grid_, values, point.position, octant_cosines(point.n));
+    const Spectrum E = irradiance(grid_, values, point.position, octant_cosines(point.n));
     return point.albedo / glm::pi<float>() * E;
+}
+
+Spectrum ConservingModel::emitted_light(const ReceiverPoint& point) const {
+    return emitted_.empty() ? Spectrum(0.f) : probe_light(emitted_, point);
 }
 
 }  // namespace plumbline::ddgi

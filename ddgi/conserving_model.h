@@ -12,20 +12,26 @@ namespace plumbline::ddgi {
 /// environment's radiance. Each update is thus a convex mean times an albedo: a contraction in
 /// the largest value, by the largest albedo of the scene. There is no constant to tune.
 class ConservingModel final : public ProbeModel {
-   public:
+ public:
     explicit ConservingModel(const ProbeGrid& grid) : grid_(grid) {}
 
     RayPattern pattern(int surfels) const override { return even_pattern(surfels); }
     Reach reach() const override { return Reach::FirstSurface; }
-    std::size_t bins() const override { return principal_directions.size(); }
+    std::size_t bins() const override { return octant_count; }
     void take_surfels(const SurfelCache& cache, const Spectrum& environment) override;
     void update(std::span<const float> previous, std::span<float> next) const override;
     Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
+    Spectrum emitted_light(const ReceiverPoint& point) const override;
 
-   private:
+ private:
+    /// Per probe, channel and octant, the mean over rays of radiance(surfel).
+    template <typename Radiance>
+    void average(std::span<float> values, const Radiance& radiance) const;
+
     ProbeGrid grid_;
     const SurfelCache* cache_ = nullptr;
     std::vector<Spectrum> unfed_;  ///< radiance each surfel ray brings without any feedback
+    std::vector<float> emitted_;   ///< probe values of emission and environment; empty if none
 };
 
 }  // namespace plumbline::ddgi

@@ -17,8 +17,7 @@ DirectLight direct_light(const RayTracer& tracer, const glm::vec3& position, con
         }
         result.shadow_rays += static_cast<std::uint32_t>(rays);
         const float visibility = static_cast<float>(arriving) / static_cast<float>(rays);
-        result.irradiance +=
-            visibility * height / std::sqrt(d2) * normal_irradiance(light, d2);
+        result.irradiance += visibility * height / std::sqrt(d2) * normal_irradiance(light, d2);
     }
     return result;
 }

@@ -45,8 +45,8 @@ ProbeGrid with_spacing(const ProbeGrid& grid, float spacing) {
         throw UsageError("--spacing",
                          fmt::format("{} makes {} probes along an axis", spacing,
                                      static_cast<double>(max_component(cells)) + 1),
-                         fmt::format("give {} or more", max_component(extent) /
-                                                            (most_probes_along_an_axis - 1.f)));
+                         fmt::format("give {} or more",
+                                     max_component(extent) / (most_probes_along_an_axis - 1.f)));
     }
     const glm::vec3 overhang = spacing * cells - extent;
     return {grid.origin - overhang / 2.f, spacing, glm::ivec3(cells) + 1};

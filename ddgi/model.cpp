@@ -25,8 +25,9 @@ ModelSetup make_thesis(const Scene& scene, const ProbeGrid& grid,
     ModelSetup setup;
     const ThesisConstants constants = thesis_constants(scene, grid, set, setup.notes);
     setup.model = std::make_unique<ThesisModel>(constants, grid);
-    const bool emits = std::ranges::any_of(
-        scene.materials, [](const Material& material) { return material.emission != Spectrum(0.f); });
+    const bool emits = std::ranges::any_of(scene.materials, [](const Material& material) {
+        return material.emission != Spectrum(0.f);
+    });
     if (emits || scene.environment != Spectrum(0.f)) {
         setup.notes.emplace_back(
             "the model thesis takes light from point lights only; emission and environment are "
@@ -36,6 +37,8 @@ ModelSetup make_thesis(const Scene& scene, const ProbeGrid& grid,
 }
 
 }  // namespace
+
+Spectrum ProbeModel::emitted_light(const ReceiverPoint&) const { return Spectrum(0.f); }
 
 Spectrum ProbeModel::ambient(const Spectrum&) const { return Spectrum(0.f); }
 

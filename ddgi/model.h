@@ -24,7 +24,7 @@ struct ReceiverPoint {
 /// writes the next, so its result does not depend on the order of probes. Immutable while
 /// threads call probe_light.
 class ProbeModel {
-   public:
+ public:
     virtual ~ProbeModel() = default;
 
     virtual RayPattern pattern(int surfels) const = 0;
@@ -39,7 +39,11 @@ class ProbeModel {
     virtual void update(std::span<const float> previous, std::span<float> next) const = 0;
 
     /// Radiance that the probes add to a pixel that sees `point`.
-    virtual Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const = 0;
+    virtual Spectrum probe_light(std::span<const float> values,
+                                 const ReceiverPoint& point) const = 0;
+    /// The part of it that was scattered only once, at `point` itself: light of the environment
+    /// and of surfaces that emit. Direct light, though probes brought it.
+    virtual Spectrum emitted_light(const ReceiverPoint& point) const;
     /// Radiance that the model adds everywhere, whatever the light.
     virtual Spectrum ambient(const Spectrum& albedo) const;
 

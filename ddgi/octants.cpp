@@ -39,8 +39,8 @@ double clipped_cosine(const Triangle& corners, const glm::dvec3& n) {
         const double height_b = glm::dot(b, n);
         if (height_a >= 0.) polygon[size++] = a;
         if ((height_a > 0. && height_b < 0.) || (height_a < 0. && height_b > 0.)) {
-            const glm::dvec3 crossing = height_a > 0. ? height_a * b - height_b * a
-                                                      : height_b * a - height_a * b;
+            const glm::dvec3 crossing =
+                height_a > 0. ? height_a * b - height_b * a : height_b * a - height_a * b;
             polygon[size++] = glm::normalize(crossing);
         }
     }
@@ -51,16 +51,16 @@ double clipped_cosine(const Triangle& corners, const glm::dvec3& n) {
 
 }  // namespace
 
-std::array<float, principal_direction_count> octant_cosines(const glm::vec3& n) {
+std::array<float, octant_count> octant_cosines(const glm::vec3& n) {
     static const auto octants = [] {
-        std::array<Triangle, principal_direction_count> corners;
+        std::array<Triangle, octant_count> corners;
         for (std::size_t d = 0; d < corners.size(); ++d) {
             corners[d] = octant_corners(principal_directions[d]);
         }
         return corners;
     }();
     const glm::dvec3 normal(n);
-    std::array<float, principal_direction_count> cosines;
+    std::array<float, octant_count> cosines;
     for (std::size_t d = 0; d < octants.size(); ++d) {
         cosines[d] = static_cast<float>(clipped_cosine(octants[d], normal));
     }

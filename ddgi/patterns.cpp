@@ -52,7 +52,7 @@ RayPattern thesis_pattern(int surfels) {
     const int azimuths = surfels / 8;
     const int azimuths_per_octant = azimuths / 4;
     RayPattern pattern;
-    for (int d = 0; d < principal_direction_count; ++d) {
+    for (int d = 0; d < int{octant_count}; ++d) {
         const int first_ring = d < 4 ? 0 : 4;
         const int first_azimuth = d % 4 * azimuths_per_octant;
         for (int ring = first_ring; ring < first_ring + 4; ++ring) {
@@ -74,11 +74,10 @@ RayPattern even_pattern(int surfels) {
     }
     const std::vector<glm::dvec2> octant = even_octant(surfels / 8);
     RayPattern pattern;
-    for (int d = 0; d < principal_direction_count; ++d) {
+    for (int d = 0; d < int{octant_count}; ++d) {
         const double upper = d < 4 ? 1. : -1.;
         for (const glm::dvec2& cell : octant) {
-            pattern.directions.push_back(
-                direction_at(upper * cell.x, cell.y + pi / 2. * (d % 4)));
+            pattern.directions.push_back(direction_at(upper * cell.x, cell.y + pi / 2. * (d % 4)));
         }
     }
     return pattern;

@@ -2,17 +2,18 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "scenes/geometry.h"
 
 namespace plumbline::ddgi {
 
-constexpr int principal_direction_count = 8;
+constexpr std::size_t octant_count = 8;
 
 /// The directions that a probe of [Dellson 2023, section 3.2] keeps apart, of length sqrt(2).
 /// Each stands for an octant of the sphere: its azimuth +-45 degrees, upper or lower half.
-constexpr std::array<glm::ivec3, principal_direction_count> principal_directions = {{
+constexpr std::array<glm::ivec3, octant_count> principal_directions = {{
     {1, 1, 0},
     {0, 1, 1},
     {-1, 1, 0},
@@ -29,8 +30,7 @@ struct RayPattern {
     std::vector<glm::vec3> directions;
 
     int size() const { return static_cast<int>(directions.size()); }
-    int per_octant() const { return size() / principal_direction_count; }
-    int octant(int ray) const { return ray / per_octant(); }
+    std::size_t per_octant() const { return directions.size() / octant_count; }
 };
 
 /// The numbers of rays that thesis_pattern() is published for.

@@ -18,9 +18,9 @@ struct DdgiOptions {
     int surfels = 64;                   ///< rays a probe
     std::map<std::string, double> set;  ///< constants of the model by their published names
     bool gi = true;
-    bool cache = true;          ///< false: every surfel is placed afresh each frame
-    int shadow_rays = 1;        ///< a pixel sample and light
-    std::optional<int> updates; ///< at the last frame; none: until converged
+    bool cache = true;           ///< false: every surfel is placed afresh each frame
+    int shadow_rays = 1;         ///< a pixel sample and light
+    std::optional<int> updates;  ///< at the last frame; none: until converged
     std::optional<float> spacing;
 };
 
@@ -28,23 +28,32 @@ struct DdgiOptions {
 struct FrameFigures {
     double bvh_ms = 0;      ///< moving the geometry
     double place_ms = 0;    ///< tracing surfel rays
-    double light_ms = 0;    ///< shadow rays of surfels, feedback and propagation
-    double primary_ms = 0;  ///< camera and shadow rays of the picture
+    double light_ms = 0;    ///< shadow rays of surfels, and all probe updates
+    double primary_ms = 0;  ///< camera rays, shadow rays and look-ups of the picture
     std::uint64_t probes = 0;
     std::uint64_t surfels = 0;      ///< probes * surfels a probe
     std::uint64_t surfels_hit = 0;  ///< those on a surface
     std::uint64_t replaced = 0;     ///< those placed this frame
-    std::uint64_t shadow_rays = 0;
-    int updates = 0;               ///< probe updates done at this frame
+    std::uint64_t shadow_rays = 0;  ///< of surfels and of the picture
+    std::uint64_t surfel_shadow_rays = 0;
+    int updates = 0;               ///< probe updates at this frame
     double relative_change = 0;    ///< of the last update, largest over probes
-    bool converged = false;
+    bool converged = false;        ///< relative_change is below convergence_threshold
+    std::uint64_t non_finite = 0;  ///< values of the picture that are not finite
 };
+
+/// A still is updated until no probe changes by more than this, relative to its largest value.
+constexpr double convergence_threshold = 1e-4;
+/// ... or until so many updates are done.
+constexpr int most_updates = 1000;
 
 /// A finished picture with the layers that the README lists, and its last frame's figures.
 struct DdgiResult {
     Image image;
     FrameFigures figures;
-    double seconds;  ///< for everything, from the first frame on
+    double seconds;                           ///< for everything, from the first frame on
+    std::map<std::string, double> constants;  ///< of the model, as used, by their published names
+    std::vector<std::string> notes;           ///< what a user should know, one line each
 };
 
 /// Plays the scene to `frame` and renders it there: see DdgiOptions::updates.

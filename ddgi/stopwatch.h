@@ -7,12 +7,12 @@ namespace plumbline::ddgi {
 
 /// Wall-clock time since it was made.
 class Stopwatch {
-   public:
+ public:
     double ms() const {
         return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
     }
 
-   private:
+ private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point start_ = Clock::now();
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddgi/surfel_cache.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -73,12 +74,11 @@ void SurfelCache::mark_touched(const Motion& motion) {
     for_probes(surfels_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t surfel = begin; surfel < end; ++surfel) {
             const Ray ray = ray_of(surfel);
-            const bool touched =
-                reach_ == Reach::FirstSurface
-                    ? any_meets(motion, ray, surfels_.distance[surfel])
-                    : std::ranges::any_of(motion.boxes, [&](const Bounds& box) {
-                          return box.grown(grid_.spacing).contains(ray.origin);
-                      });
+            const bool touched = reach_ == Reach::FirstSurface
+                                     ? any_meets(motion, ray, surfels_.distance[surfel])
+                                     : std::ranges::any_of(motion.boxes, [&](const Bounds& box) {
+                                           return box.grown(grid_.spacing).contains(ray.origin);
+                                       });
             to_place_[surfel] = touched ? 1 : 0;
         }
     });
@@ -98,6 +98,10 @@ void SurfelCache::place_marked(const RayTracer& tracer) {
         replaced += placed;
     });
     figures_.replaced = replaced;
+    if (replaced > 0) {
+        hits_ = static_cast<std::uint64_t>(std::ranges::count_if(
+            surfels_.distance, [](float distance) { return std::isfinite(distance); }));
+    }
     figures_.place_ms += watch.ms();
 }
 

@@ -26,7 +26,7 @@ enum class Reach {
 ///
 /// After every call the surfels are the ones that tracing all of them afresh would give.
 class SurfelCache {
-   public:
+ public:
     SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach);
 
     /// Places and lights every surfel.
@@ -38,6 +38,8 @@ class SurfelCache {
     const Surfels& surfels() const { return surfels_; }
     const RayPattern& pattern() const { return pattern_; }
     const ProbeGrid& grid() const { return grid_; }
+    /// How many surfels are on a surface.
+    std::uint64_t hits() const { return hits_; }
 
     /// What the last call did, and what it took.
     struct Figures {
@@ -48,7 +50,7 @@ class SurfelCache {
     };
     const Figures& figures() const { return figures_; }
 
-   private:
+ private:
     void mark_touched(const Motion& motion);
     void place_marked(const RayTracer& tracer);
     void mark_shadows(const World& world, const Motion& motion);
@@ -62,6 +64,7 @@ class SurfelCache {
     Surfels surfels_;
     std::vector<std::uint8_t> to_place_;  ///< one a surfel
     std::vector<std::uint8_t> to_light_;  ///< one a surfel
+    std::uint64_t hits_ = 0;
     Figures figures_;
 };
 

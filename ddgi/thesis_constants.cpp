@@ -19,7 +19,7 @@ constexpr float cornell_box_spacing = 20.f;
 
 struct NamedConstant {
     const char* name;
-    float ThesisConstants::* member;
+    float ThesisConstants::*member;
 };
 
 constexpr std::array<NamedConstant, 6> named_constants = {{
@@ -55,9 +55,10 @@ ThesisConstants thesis_constants(const Scene& scene, const ProbeGrid& grid,
     ThesisConstants constants = scene.thesis.value_or(cornell_box);
     const float set_for = scene.thesis ? probe_grid(scene).spacing : cornell_box_spacing;
     if (!scene.thesis) {
-        notes.push_back(fmt::format("scene '{}' has no constants for the model thesis; taking the "
-                                    "Cornell Box's",
-                                    scene.name));
+        notes.push_back(
+            fmt::format("scene '{}' has no constants for the model thesis; taking the "
+                        "Cornell Box's",
+                        scene.name));
     }
     if (grid.spacing != set_for) {
         const float scale = grid.spacing / set_for;

@@ -38,12 +38,10 @@ struct ThesisField {
     const Surfels& surfels;
 };
 
-constexpr std::size_t octants = principal_directions.size();
-
 /// max(0, n . D_d), with D_d as published: not normalised.
-inline std::array<float, octants> thesis_response(const glm::vec3& n) {
-    std::array<float, octants> response;
-    for (std::size_t d = 0; d < octants; ++d) {
+inline std::array<float, octant_count> thesis_response(const glm::vec3& n) {
+    std::array<float, octant_count> response;
+    for (std::size_t d = 0; d < octant_count; ++d) {
         response[d] = glm::max(0.f, glm::dot(n, glm::vec3(principal_directions[d])));
     }
     return response;
@@ -53,7 +51,7 @@ inline std::array<float, octants> thesis_response(const glm::vec3& n) {
 template <typename T>
 std::array<T, 3> thesis_look_up(const ProbeGrid& grid, std::span<const T> values,
                                 const glm::vec3& x, const glm::vec3& n) {
-    const std::array<float, octants> response = thesis_response(n);
+    const std::array<float, octant_count> response = thesis_response(n);
     return look_up<T>(probe_neighbours(grid, x), response, values);
 }
 
@@ -66,7 +64,7 @@ T thesis_propagation(const T& falloffRegulator, float spacing) {
 /// The probe that a missed ray of principal direction d reads. Border probes step inward first,
 /// so that they read themselves or a probe further in. Needs three probes along each axis.
 inline std::uint32_t thesis_neighbour(const ProbeGrid& grid, std::uint32_t probe, std::size_t d) {
-    const glm::ivec3 inner = glm::clamp(probe_cell(grid, probe), 1, grid.counts - 2);
+    const glm::ivec3 inner = glm::clamp(probe_cell(grid, probe), glm::ivec3(1), grid.counts - 2);
     return probe_index(grid, inner + principal_directions[d]);
 }
 
@@ -79,22 +77,22 @@ T thesis_surfel(const T& radiance, const T& bounceAttenuation) {
     return lit;
 }
 
-/// The share of missed rays per probe and principal direction, at probe * octants + d.
+/// The share of missed rays per probe and principal direction, at probe * octant_count + d.
 std::vector<float> thesis_miss_shares(const ThesisField& field);
 
-/// The hits' part of an update, into `lit` (probes * 3 * octants values, see value_index).
+/// The hits' part of an update, into `lit` (probes * 3 * octant_count values, see value_index).
 /// `previous`: the values that feed back; may be empty if multiBounceIntensity is 0. Without
 /// feedback the result does not change from one update to the next.
 template <typename T>
 void thesis_lit(const ThesisField& field, const ThesisParameters<T>& parameters,
                 std::span<const T> previous, std::span<T> lit) {
     const bool feedback = !previous.empty();
-    const auto per_octant = static_cast<std::size_t>(field.pattern.per_octant());
+    const std::size_t per_octant = field.pattern.per_octant();
     const auto light_octant = [&](std::size_t probe, std::size_t d) {
         const glm::vec3 axis = glm::normalize(glm::vec3(principal_directions[d]));
         std::array<T, 3> sum{T(0), T(0), T(0)};
         for (std::size_t ray = d * per_octant; ray < (d + 1) * per_octant; ++ray) {
-            const std::size_t surfel = probe * octants * per_octant + ray;
+            const std::size_t surfel = probe * octant_count * per_octant + ray;
             if (!field.surfels.hit(surfel)) continue;
             const float distance = field.surfels.distance[surfel];
             const float cosine = glm::max(0.f, glm::dot(axis, field.pattern.directions[ray]));
@@ -114,11 +112,11 @@ void thesis_lit(const ThesisField& field, const ThesisParameters<T>& parameters,
             }
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            lit[value_index(probe, c, d, octants)] = sum[c] / Coefficient<T>(per_octant);
+            lit[value_index(probe, c, d, octant_count)] = sum[c] / Coefficient<T>(per_octant);
         }
     };
     tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(field.grid)}, [&](std::size_t probe) {
-        for (std::size_t d = 0; d < octants; ++d) light_octant(probe, d);
+        for (std::size_t d = 0; d < octant_count; ++d) light_octant(probe, d);
     });
 }
 
@@ -128,12 +126,13 @@ void thesis_propagate(const ProbeGrid& grid, std::span<const float> miss_shares,
                       const T& propagation, std::span<const T> lit, std::span<const T> previous,
                       std::span<T> next) {
     tbb::parallel_for(std::uint32_t{0}, probe_count(grid), [&](std::uint32_t probe) {
-        for (std::size_t d = 0; d < octants; ++d) {
+        for (std::size_t d = 0; d < octant_count; ++d) {
             const std::uint32_t neighbour = thesis_neighbour(grid, probe, d);
-            const T passed = propagation * Coefficient<T>(miss_shares[probe * octants + d]);
+            const T passed = propagation * Coefficient<T>(miss_shares[probe * octant_count + d]);
             for (std::size_t c = 0; c < 3; ++c) {
-                const std::size_t here = value_index(probe, c, d, octants);
-                next[here] = lit[here] + passed * previous[value_index(neighbour, c, d, octants)];
+                const std::size_t here = value_index(probe, c, d, octant_count);
+                next[here] =
+                    lit[here] + passed * previous[value_index(neighbour, c, d, octant_count)];
             }
         }
     });

@@ -8,7 +8,7 @@
 namespace plumbline::ddgi {
 
 std::vector<float> thesis_miss_shares(const ThesisField& field) {
-    const auto per_octant = static_cast<std::size_t>(field.pattern.per_octant());
+    const std::size_t per_octant = field.pattern.per_octant();
     std::vector<float> shares(field.surfels.size() / per_octant);
     for (std::size_t i = 0; i < shares.size(); ++i) {
         int misses = 0;
@@ -36,13 +36,12 @@ ThesisModel::ThesisModel(const ThesisConstants& constants, const ProbeGrid& grid
 void ThesisModel::take_surfels(const SurfelCache& cache, const Spectrum&) {
     cache_ = &cache;
     miss_shares_ = thesis_miss_shares(field());
-    lit_.resize(probe_count(grid_) * 3 * octants);
+    lit_.resize(probe_count(grid_) * 3 * octant_count);
     if (!feedback()) thesis_lit<float>(field(), parameters_, {}, lit_);
 }
 
 void ThesisModel::update(std::span<const float> previous, std::span<float> next) const {
-    const float propagation =
-        thesis_propagation(parameters_.falloffRegulator, grid_.spacing);
+    const float propagation = thesis_propagation(parameters_.falloffRegulator, grid_.spacing);
     if (!feedback()) {
         thesis_propagate<float>(grid_, miss_shares_, propagation, lit_, previous, next);
         return;

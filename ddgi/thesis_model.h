@@ -18,20 +18,20 @@ ThesisConstants thesis_constants(const Scene& scene, const ProbeGrid& grid,
 
 /// [Dellson 2023] by its published formulas.
 class ThesisModel final : public ProbeModel {
-   public:
+ public:
     /// Throws UsageError if the grid has fewer than three probes along an axis.
     ThesisModel(const ThesisConstants& constants, const ProbeGrid& grid);
 
     RayPattern pattern(int surfels) const override { return thesis_pattern(surfels); }
     Reach reach() const override { return Reach::OneCell; }
-    std::size_t bins() const override { return octants; }
+    std::size_t bins() const override { return octant_count; }
     void take_surfels(const SurfelCache& cache, const Spectrum& environment) override;
     void update(std::span<const float> previous, std::span<float> next) const override;
     Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
     Spectrum ambient(const Spectrum& albedo) const override { return constants_.ambient * albedo; }
     std::map<std::string, double> constants() const override;
 
-   private:
+ private:
     bool feedback() const { return constants_.multiBounceIntensity > 0.f; }
     ThesisField field() const { return {grid_, cache_->pattern(), cache_->surfels()}; }
 

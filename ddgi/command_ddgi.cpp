@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "ddgi/commands.h"
+#include "ddgi/model.h"
+#include "ddgi/render.h"
+#include "scenes/command_line.h"
+#include "scenes/errors.h"
+
+namespace plumbline::ddgi {
+namespace {
+
+struct Arguments {
+    CommonOptions common;
+    DdgiOptions ddgi;
+    std::string scene;
+    std::string output;
+    std::vector<std::string> set;
+    std::string gi = "on";
+    bool no_cache = false;
+    bool json = false;
+};
+
+/// Told before the work is done for a picture that cannot be kept.
+void check_output(const std::string& output) {
+    if (std::filesystem::path(output).extension() == ".exr") return;
+    throw UsageError("--output", fmt::format("'{}' is not an EXR file", output),
+                     "give a name that ends in .exr");
+}
+
+std::pair<std::string, double> parse_constant(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+    char* end = nullptr;
+    const double value = std::strtod(number.c_str(), &end);
+    if (name.empty() || number.empty() || *end != '\0') {
+        throw UsageError("--set", fmt::format("'{}' is not NAME=VALUE", text),
+                         "give for example --set probeBrightness=26.2");
+    }
+    return {name, value};
+}
+
+nlohmann::ordered_json json_of(const DdgiResult& result, const DdgiOptions& options) {
+    const FrameFigures& figures = result.figures;
+    nlohmann::ordered_json json;
+    json["model"] = options.model;
+    json["bvh_ms"] = figures.bvh_ms;
+    json["place_ms"] = figures.place_ms;
+    json["light_ms"] = figures.light_ms;
+    json["primary_ms"] = figures.primary_ms;
+    json["probes"] = figures.probes;
+    json["surfels"] = figures.surfels;
+    json["surfels_hit"] = figures.surfels_hit;
+    json["replaced"] = figures.replaced;
+    json["shadow_rays"] = figures.shadow_rays;
+    json["surfel_shadow_rays"] = figures.surfel_shadow_rays;
+    json["updates"] = figures.updates;
+    json["relative_change"] = figures.relative_change;
+    json["converged"] = figures.converged;
+    json["non_finite"] = figures.non_finite;
+    json["seconds"] = result.seconds;
+    json["constants"] = result.constants;
+    json["notes"] = result.notes;
+    return json;
+}
+
+void run(Arguments& arguments) {
+    check_output(arguments.output);
+    for (const std::string& text : arguments.set) arguments.ddgi.set.insert(parse_constant(text));
+    arguments.ddgi.gi = arguments.gi == "on";
+    arguments.ddgi.cache = !arguments.no_cache;
+    const auto limits = arguments.common.apply();
+    const Scene scene = load_scene_for(arguments.scene, arguments.common);
+    const DdgiResult result = render(scene, frame_of(scene, arguments.common), arguments.ddgi);
+    write_exr(arguments.output, result.image);
+
+    const FrameFigures& figures = result.figures;
+    for (const std::string& note : result.notes) fmt::print(stderr, "plumbline: {}\n", note);
+    fmt::print(stderr,
+               "{}: {} probes, {} updates{}, {:.2f} s; at this frame placing {:.0f} ms, lighting "
+               "{:.0f} ms, picture {:.0f} ms\n",
+               arguments.output, figures.probes, figures.updates,
+               figures.converged ? " (converged)" : "", result.seconds, figures.place_ms,
+               figures.light_ms, figures.primary_ms);
+    if (arguments.json) fmt::print("{}\n", json_of(result, arguments.ddgi).dump());
+}
+
+void add_probe_options(CLI::App& command, Arguments& arguments) {
+    DdgiOptions& options = arguments.ddgi;
+    command.add_option("--model", options.model,
+                       fmt::format("How probes are lit and looked up: {} (default: {})",
+                                   fmt::join(model_names(), ", "), options.model));
+    command.add_option("--surfels", options.surfels,
+                       "Rays a probe: 64, 96, 128 or 160 for thesis, any multiple of 8 for the "
+                       "others (default: 64)");
+    command
+        .add_option(
+            "--set", arguments.set,
+            "NAME=VALUE: a constant of the model under its published name; may be repeated. "
+            "multiBounceIntensity is 0, no feedback, unless set here")
+        ->allow_extra_args(false);
+    command.add_option("--gi", arguments.gi, "off: direct light only, no probes (default: on)")
+        ->check(CLI::IsMember({"on", "off"}));
+    command.add_flag("--no-cache", arguments.no_cache, "Place every surfel afresh each frame");
+    command.add_option("--shadow-rays", options.shadow_rays,
+                       "Shadow rays a pixel sample and light; lights have no size, so all are the "
+                       "same ray (default: 1)");
+    command.add_option("--updates", options.updates,
+                       "Probe updates at the last frame (default: until converged)");
+    command.add_option("--spacing", options.spacing,
+                       "Distance between probes, over the same extent (default: the scene's)");
+}
+
+}  // namespace
+
+void add_ddgi_command(CLI::App& app) {
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App& command = *app.add_subcommand("ddgi", "Light a scene with probes");
+    command.add_option("scene", arguments->scene, "Built-in name, or .json, .gltf, .glb file")
+        ->required();
+    command.add_option("-o,--output", arguments->output, "EXR file to write")->required();
+    add_common_options(command, arguments->common);
+    add_probe_options(command, *arguments);
+    command.add_flag("--json", arguments->json, "Print the last frame's figures on stdout");
+    command.callback([arguments] { run(*arguments); });
+}
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/render.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ddgi/picture.h"
+#include "ddgi/stopwatch.h"
+#include "scenes/errors.h"
+#include "scenes/progress.h"
+
+namespace plumbline::ddgi {
+namespace {
+
+void check(const DdgiOptions& options) {
+    if (options.shadow_rays < 1) {
+        throw UsageError("--shadow-rays", fmt::format("{} rays", options.shadow_rays),
+                         "give 1 or more");
+    }
+    if (options.updates && *options.updates < 0) {
+        throw UsageError("--updates", fmt::format("{} updates", *options.updates),
+                         "give 0 or more");
+    }
+}
+
+/// Plays the frames before `frame` with one update each, then updates there as asked.
+void play(ProbeVolume& volume, int frame, const DdgiOptions& options) {
+    Progress progress("Probes", static_cast<std::uint64_t>(frame) + 1);
+    for (int f = 0; f < frame; ++f) {
+        volume.move_to(f);
+        volume.update();
+        progress.advance();
+    }
+    volume.move_to(frame);
+    if (!options.updates) {
+        volume.converge();
+        return;
+    }
+    for (int i = 0; i < *options.updates; ++i) volume.update();
+}
+
+/// Counts values that are not finite, and notes where the first is.
+std::uint64_t count_non_finite(const Image& image, std::vector<std::string>& notes) {
+    std::uint64_t count = 0;
+    for (const std::string& name : image.channel_names()) {
+        const std::span<const float> channel = image.channel(name);
+        const auto finite = [](float value) { return std::isfinite(value); };
+        const auto first = std::ranges::find_if_not(channel, finite);
+        if (first == channel.end()) continue;
+        const auto bad = channel.end() - first - std::count_if(first, channel.end(), finite);
+        const auto pixel = first - channel.begin();
+        notes.push_back(fmt::format("{} values of {} are not finite, the first at pixel ({}, {})",
+                                    bad, name, pixel % image.width(), pixel / image.width()));
+        count += static_cast<std::uint64_t>(bad);
+    }
+    return count;
+}
+
+void describe(Image& image, const Scene& scene, int frame, const DdgiOptions& options,
+              const DdgiResult& result) {
+    image.metadata["plumbline:version"] = PLUMBLINE_VERSION;
+    image.metadata["plumbline:renderer"] = "ddgi";
+    image.metadata["plumbline:scene"] = scene.name;
+    image.metadata["plumbline:frame"] = std::to_string(frame);
+    image.metadata["plumbline:model"] = options.model;
+    image.metadata["plumbline:gi"] = options.gi ? "on" : "off";
+    image.metadata["plumbline:cache"] = options.cache ? "on" : "off";
+    image.metadata["plumbline:surfels"] = std::to_string(options.surfels);
+    image.metadata["plumbline:shadow_rays"] = std::to_string(options.shadow_rays);
+    image.metadata["plumbline:samples"] = std::to_string(samples_per_pixel);
+    image.metadata["plumbline:updates"] = std::to_string(result.figures.updates);
+    image.metadata["plumbline:converged"] = result.figures.converged ? "yes" : "no";
+    image.metadata["plumbline:seconds"] = fmt::format("{:.3f}", result.seconds);
+    for (const auto& [name, value] : result.constants) {
+        image.metadata["plumbline:" + name] = fmt::format("{}", value);
+    }
+    if (options.spacing) image.metadata["plumbline:spacing"] = fmt::format("{}", *options.spacing);
+}
+
+DdgiResult render_with_probes(const Scene& scene, int frame, const DdgiOptions& options) {
+    ProbeVolume volume(scene, options);
+    play(volume, frame, options);
+    const Stopwatch watch;
+    Picture picture = take_picture(volume.tracer(), volume.model(), &volume, options.shadow_rays);
+    DdgiResult result{std::move(picture.image), volume.figures(), 0., volume.model().constants(),
+                      volume.notes()};
+    result.figures.primary_ms = watch.ms();
+    result.figures.shadow_rays += picture.shadow_rays;
+    if (!options.updates && !result.figures.converged) {
+        result.notes.push_back(
+            fmt::format("the probes did not converge: after {} updates they still change by {:.2g}",
+                        result.figures.updates, result.figures.relative_change));
+    }
+    return result;
+}
+
+DdgiResult render_without_probes(const Scene& scene, int frame, const DdgiOptions& options) {
+    const ModelSetup setup =
+        make_model(options.model, scene, grid_for(scene, options), options.set);
+    const Stopwatch building;
+    const World world = world_at(scene, frame);
+    const RayTracer tracer(world);
+    const double bvh_ms = building.ms();
+    const Stopwatch watch;
+    Picture picture = take_picture(tracer, *setup.model, nullptr, options.shadow_rays);
+    DdgiResult result{std::move(picture.image), {}, 0., setup.model->constants(), setup.notes};
+    result.figures.bvh_ms = bvh_ms;
+    result.figures.primary_ms = watch.ms();
+    result.figures.shadow_rays = picture.shadow_rays;
+    return result;
+}
+
+}  // namespace
+
+DdgiResult render(const Scene& scene, int frame, const DdgiOptions& options) {
+    check(options);
+    const Stopwatch watch;
+    DdgiResult result = options.gi ? render_with_probes(scene, frame, options)
+                                   : render_without_probes(scene, frame, options);
+    result.seconds = watch.ms() / 1e3;
+    result.figures.non_finite = count_non_finite(result.image, result.notes);
+    describe(result.image, scene, frame, options, result);
+    return result;
+}
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/volume.h"
+
+#include "ddgi/change.h"
+#include "ddgi/stopwatch.h"
+
+namespace plumbline::ddgi {
+
+/// A frame's world and the rays into it.
+struct ProbeVolume::Stage {
+    World world;
+    RayTracer tracer;
+
+    explicit Stage(World world_at_frame) : world(std::move(world_at_frame)), tracer(world) {}
+};
+
+ProbeGrid grid_for(const Scene& scene, const DdgiOptions& options) {
+    const ProbeGrid grid = probe_grid(scene);
+    return options.spacing ? with_spacing(grid, *options.spacing) : grid;
+}
+
+ProbeVolume::ProbeVolume(const Scene& scene, const DdgiOptions& options)
+    : scene_(scene),
+      caching_(options.cache),
+      grid_(grid_for(scene, options)),
+      setup_(make_model(options.model, scene, grid_, options.set)),
+      cache_(grid_, setup_.model->pattern(options.surfels), setup_.model->reach()),
+      values_(probe_count(grid_) * 3 * setup_.model->bins(), 0.f),
+      next_(values_.size()) {}
+
+ProbeVolume::~ProbeVolume() = default;
+
+const RayTracer& ProbeVolume::tracer() const { return stage_->tracer; }
+
+void ProbeVolume::move_to(int frame) {
+    figures_ = {};
+    const Stopwatch watch;
+    World world = world_at(scene_, frame);
+    const bool first = stage_ == nullptr;
+    const Motion motion = first ? Motion{} : motion_between(stage_->world, world);
+    const bool changed = first || !motion.none();
+    if (changed) stage_ = std::make_unique<Stage>(std::move(world));
+    figures_.bvh_ms = watch.ms();
+
+    if (first || !caching_) {
+        cache_.rebuild(stage_->tracer);
+    } else {
+        cache_.refresh(stage_->tracer, motion);
+    }
+    figures_.place_ms = cache_.figures().place_ms;
+    figures_.light_ms = cache_.figures().light_ms;
+    figures_.replaced = cache_.figures().replaced;
+    figures_.surfel_shadow_rays = cache_.figures().shadow_rays;
+    figures_.shadow_rays = figures_.surfel_shadow_rays;
+    figures_.probes = probe_count(grid_);
+    figures_.surfels = cache_.surfels().size();
+    figures_.surfels_hit = cache_.hits();
+    if (!changed && caching_) return;
+
+    const Stopwatch lighting;
+    setup_.model->take_surfels(cache_, stage_->world.environment);
+    settled_ = false;
+    figures_.light_ms += lighting.ms();
+}
+
+void ProbeVolume::update() {
+    ++figures_.updates;
+    if (settled_) {
+        figures_.relative_change = 0.;
+        figures_.converged = true;
+        return;
+    }
+    const Stopwatch watch;
+    setup_.model->update(values_, next_);
+    const Change change = change_between(values_, next_, 3 * setup_.model->bins());
+    values_.swap(next_);
+    settled_ = change.none;
+    figures_.relative_change = change.relative;
+    figures_.converged = change.relative < convergence_threshold;
+    figures_.light_ms += watch.ms();
+}
+
+void ProbeVolume::converge() {
+    while (!figures_.converged && figures_.updates < most_updates) update();
+}
+
+}  // namespace plumbline::ddgi

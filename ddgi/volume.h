@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ddgi/model.h"
+#include "ddgi/render.h"
+
+namespace plumbline::ddgi {
+
+/// The scene's grid, with the spacing that the options ask for. Throws UsageError.
+ProbeGrid grid_for(const Scene& scene, const DdgiOptions& options);
+
+/// A scene's probes as they live from frame to frame.
+class ProbeVolume {
+ public:
+    /// `scene` must outlive it. Throws UsageError for options that name what does not exist.
+    ProbeVolume(const Scene& scene, const DdgiOptions& options);
+    ~ProbeVolume();
+
+    /// Moves the geometry to `frame` and re-places and lights the surfels that this touches.
+    /// Starts the figures of a new frame.
+    void move_to(int frame);
+
+    /// One update of all probes, skipped if the last one changed no bit and no surfel has changed
+    /// since: it would change none either.
+    void update();
+
+    /// Updates until FrameFigures::converged, `most_updates` at most.
+    void converge();
+
+    const RayTracer& tracer() const;
+    const ProbeModel& model() const { return *setup_.model; }
+    std::span<const float> values() const { return values_; }
+    const SurfelCache& cache() const { return cache_; }
+    const FrameFigures& figures() const { return figures_; }
+    const std::vector<std::string>& notes() const { return setup_.notes; }
+
+ private:
+    struct Stage;
+
+    const Scene& scene_;
+    bool caching_;
+    ProbeGrid grid_;
+    ModelSetup setup_;
+    SurfelCache cache_;
+    std::unique_ptr<Stage> stage_;  ///< the world of the last move_to()
+    std::vector<float> values_;     ///< what the probes hold, see value_index()
+    std::vector<float> next_;       ///< what an update writes
+    bool settled_ = false;          ///< another update would change no bit
+    FrameFigures figures_;
+};
+
+}  // namespace plumbline::ddgi
