@@ -3,6 +3,6 @@
 
 namespace plumbline {
 
-void add_compare_commands(CLI::App&) {}
+void add_compare_commands(CLI::App& app) { compare::add_compare_command(app); }
 
 }  // namespace plumbline

@@ -10,4 +10,10 @@ namespace plumbline {
 /// The subcommands of this folder.
 void add_compare_commands(CLI::App& app);
 
+namespace compare {
+
+void add_compare_command(CLI::App& app);
+
+}  // namespace compare
+
 }  // namespace plumbline

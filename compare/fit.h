@@ -31,9 +31,9 @@ struct FitResult {
     double rmse_before;  ///< of the indirect layer, at the published constants
     double rmse_after;
     double reduced_chi_square;
-    double gain;                 ///< of the best single scale on the published picture
+    double gain;  ///< of the best single scale on the published picture
     double gain_standard_error;
-    double rmse_gain;            ///< error left with that gain alone
+    double rmse_gain;                ///< error left with that gain alone
     std::vector<std::string> notes;  ///< which combinations can be known, in plain words
 };
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/comparison_json.h"
+
+namespace plumbline::compare {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number(const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json noise_json(const std::optional<NoiseSplit>& noise) {
+    if (!noise) return nullptr;
+    return {{"mse_expected_from_noise", noise->mse_expected_from_noise},
+            {"bias_mse", noise->bias_mse},
+            {"bias_mse_ci95", noise->bias_mse_ci95},
+            {"z_fraction_above_3", noise->z_fraction_above_3},
+            {"channel_correlation", noise->channel_correlation},
+            {"reference_variance", noise->reference_variance},
+            {"test_variance", noise->test_variance},
+            {"left_out", noise->left_out}};
+}
+
+ordered_json scales_json(const std::vector<ScaleError>& scales) {
+    ordered_json curve = ordered_json::array();
+    for (const ScaleError& error : scales)
+        curve.push_back(
+            {{"width", error.width}, {"rmse", error.rmse}, {"if_noise", error.if_noise}});
+    return {{"slope", number(scale_slope(scales))}, {"curve", curve}};
+}
+
+ordered_json flip_json(const Comparison& comparison) {
+    if (!comparison.flip) return nullptr;
+    const FlipResult& flip = *comparison.flip;
+    if (comparison.flip_variant == FlipVariant::Ldr)
+        return ordered_json::object({{"variant", "LDR"}});
+    return {{"variant", "HDR"},
+            {"tone_mapper", "ACES"},
+            {"start_exposure", flip.start_exposure},
+            {"stop_exposure", flip.stop_exposure},
+            {"exposures", flip.exposures}};
+}
+
+}  // namespace
+
+ordered_json to_json(const Comparison& comparison) {
+    ordered_json metrics;
+    for (const MetricDescription& metric : metric_descriptions())
+        metrics[metric.name] = number(metric.value(comparison.metrics));
+    ordered_json first = nullptr;
+    if (comparison.first_non_finite)
+        first = {comparison.first_non_finite->x, comparison.first_non_finite->y};
+    return {{"metrics", metrics},
+            {"noise", noise_json(comparison.noise)},
+            {"non_finite", comparison.non_finite},
+            {"pixels", comparison.pixels},
+            {"layer", comparison.layer},
+            {"first_non_finite", first},
+            {"flip", flip_json(comparison)},
+            {"error_by_scale", scales_json(comparison.scales)}};
+}
+
+}  // namespace plumbline::compare

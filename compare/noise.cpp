@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "compare/row_sums.h"
+
+namespace plumbline::compare {
+
+namespace {
+
+constexpr double z_95 = 1.959963984540054;  ///< two-sided 95 % point of the Gaussian
+constexpr double z_threshold = 3;
+/// The pairs of different channels.
+constexpr std::array<std::array<std::size_t, 2>, 3> channel_pairs{{{0, 1}, {0, 2}, {1, 2}}};
+
+using Layer = std::array<std::span<const float>, 3>;
+
+/// d and s^2 of a pixel's channels.
+struct Errors {
+    std::array<double, 3> d;
+    std::array<double, 3> variance;
+};
+
+/// Where a pair's errors and variances are looked up.
+struct NoisyPair {
+    const LayerPair& pair;
+    std::optional<Layer> reference_variance, test_variance;
+
+    Errors at(std::size_t i) const {
+        Errors errors;
+        for (std::size_t c = 0; c < 3; ++c) {
+            errors.d[c] = double(pair.test[c][i]) - double(pair.reference[c][i]);
+            errors.variance[c] = (reference_variance ? double((*reference_variance)[c][i]) : 0.0) +
+                                 (test_variance ? double((*test_variance)[c][i]) : 0.0);
+        }
+        return errors;
+    }
+    bool usable(std::size_t i) const {
+        if (!pair.usable[i]) return false;
+        for (const auto& layer : {reference_variance, test_variance})
+            for (std::size_t c = 0; layer && c < 3; ++c)
+                if (!(std::isfinite((*layer)[c][i]) && (*layer)[c][i] >= 0.f)) return false;
+        return true;
+    }
+};
+
+std::optional<Layer> layer_if_there(const Image& image, const std::string& name) {
+    if (!image.has_layer(name)) return std::nullopt;
+    return image.layer(name);
+}
+
+double sign(double x) { return double(x > 0) - double(x < 0); }
+
+/// rho of each of channel_pairs.
+std::array<double, 3> channel_correlations(const NoisyPair& noisy) {
+    const std::size_t width = std::size_t(noisy.pair.width);
+    const auto sums = sum_over_rows<6>(noisy.pair.height, [&](int y) {
+        std::array<double, 6> row{};
+        const std::size_t begin = std::size_t(y) * width;
+        for (std::size_t i = begin; i + 1 < begin + width; i += 2) {
+            if (!noisy.usable(i) || !noisy.usable(i + 1)) continue;
+            const Errors a = noisy.at(i), b = noisy.at(i + 1);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto [c, e] = channel_pairs[k];
+                const double product = sign(a.d[c] - b.d[c]) * sign(a.d[e] - b.d[e]);
+                row[2 * k] += product;
+                row[2 * k + 1] += std::abs(product);
+            }
+        }
+        return row;
+    });
+    std::array<double, 3> rho;
+    for (std::size_t k = 0; k < 3; ++k) {
+        // With no pair of neighbours to tell, the widest interval is the honest one.
+        const double quadrant = sums[2 * k + 1] > 0 ? sums[2 * k] / sums[2 * k + 1] : 1.0;
+        rho[k] = std::max(0.0, std::sin(0.5 * std::numbers::pi * quadrant));
+    }
+    return rho;
+}
+
+enum Sum : std::size_t { Square, Noise, Above, Plugged, NoiseOnly, Pixels, SumCount };
+
+void add_pixel(const Errors& e, const std::array<double, 3>& rho,
+               std::array<double, SumCount>& sums) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double d2 = e.d[c] * e.d[c], s2 = e.variance[c];
+        sums[Square] += d2;
+        sums[Noise] += s2;
+        // Without noise any difference is infinitely many deviations away; none is zero of them.
+        sums[Above] += double(d2 > z_threshold * z_threshold * s2);
+        sums[Plugged] += 4 * s2 * d2 - 2 * s2 * s2;
+        sums[NoiseOnly] += 2 * s2 * s2;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto [a, b] = channel_pairs[k];
+        const double cov = rho[k] * std::sqrt(e.variance[a] * e.variance[b]);
+        // Both orders of a pair of channels stand in the variance of a sum.
+        sums[Plugged] += 2 * (4 * cov * e.d[a] * e.d[b] - 2 * cov * cov);
+        sums[NoiseOnly] += 2 * (2 * cov * cov);
+    }
+    sums[Pixels] += 1;
+}
+
+}  // namespace
+
+std::string variance_layer(const std::string& layer) {
+    return layer.empty() ? "variance" : "variance_" + layer;
+}
+
+std::optional<NoiseSplit> split_noise(const Image& reference, const Image& test,
+                                      const LayerPair& pair) {
+    const std::string name = variance_layer(pair.layer);
+    const NoisyPair noisy{pair, layer_if_there(reference, name), layer_if_there(test, name)};
+    if (!noisy.reference_variance && !noisy.test_variance) return std::nullopt;
+
+    const std::array<double, 3> rho = channel_correlations(noisy);
+    const auto sums = sum_over_rows<SumCount>(pair.height, [&](int y) {
+        std::array<double, SumCount> row{};
+        const std::size_t begin = std::size_t(y) * std::size_t(pair.width);
+        for (std::size_t i = begin; i < begin + std::size_t(pair.width); ++i)
+            if (noisy.usable(i)) add_pixel(noisy.at(i), rho, row);
+        return row;
+    });
+    if (sums[Pixels] == 0) return std::nullopt;
+
+    const double n = 3 * sums[Pixels];
+    NoiseSplit split;
+    split.mse_expected_from_noise = sums[Noise] / n;
+    split.bias_mse = (sums[Square] - sums[Noise]) / n;
+    const double half_width = z_95 * std::sqrt(std::max(sums[Plugged], sums[NoiseOnly])) / n;
+    split.bias_mse_ci95 = {split.bias_mse - half_width, split.bias_mse + half_width};
+    split.z_fraction_above_3 = sums[Above] / n;
+    split.channel_correlation = (rho[0] + rho[1] + rho[2]) / 3;
+    split.reference_variance = noisy.reference_variance.has_value();
+    split.test_variance = noisy.test_variance.has_value();
+    split.left_out = pair.usable_pixels - std::size_t(sums[Pixels]);
+    return split;
+}
+
+}  // namespace plumbline::compare

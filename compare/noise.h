@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "compare/layer_pair.h"
+
+namespace plumbline::compare {
+
+/// How much of the mean squared error the two images' own variances explain.
+///
+/// Per pixel and channel, d = t - r is taken as Gaussian with mean b (the bias) and variance s^2,
+/// the sum of both images' variances of the mean, so E[d^2] = b^2 + s^2: what the MSE has above
+/// the mean of s^2 estimates the mean of b^2 without bias of its own.
+///
+/// The interval is bias_mse +- 1.96 sqrt(V) / n. For two channels of a pixel with noise correlation
+/// rho, Cov(d^2, d'^2) = 2 rho^2 s^2 s'^2 + 4 rho s s' b b' (Isserlis), and b b' is estimated by
+/// d d' - rho s s', so V adds 4 rho s s' d d' - 2 rho^2 s^2 s'^2 over all pairs of channels, a
+/// channel with itself (rho = 1) included. Pixels are independent. V is kept at least at what noise
+/// alone gives (b = 0). The variances are taken as exact, which a few samples a pixel do not make
+/// them.
+struct NoiseSplit {
+    double mse_expected_from_noise = 0;  ///< mean of s^2
+    double bias_mse = 0;                 ///< mse - mse_expected_from_noise; may be below 0
+    std::array<double, 2> bias_mse_ci95{};
+    double z_fraction_above_3 =
+        0;  ///< of pixels and channels with |d| > 3 s; 0.0027 if all is noise
+    double channel_correlation = 0;   ///< rho, the mean of the three pairs of channels
+    bool reference_variance = false;  ///< the reference has variances; else it counts as exact
+    bool test_variance = false;
+    std::size_t left_out = 0;  ///< finite pixels whose variance is negative or not finite
+};
+
+/// The layer that holds the variance of the mean of a layer: "variance" for radiance (""),
+/// "variance_indirect" for "indirect".
+std::string variance_layer(const std::string& layer);
+
+/// Splits the error of a pair made from these images. None if neither has a variance layer, or no
+/// pixel has finite variances.
+///
+/// The noise correlation of channels comes from the differences between horizontal neighbours, in
+/// which a smooth bias cancels: rho = sin(pi/2 mean(sign e sign e')), the quadrant correlation of
+/// Gaussians, kept in [0,1]; edges and fireflies can only move the few signs that they touch.
+std::optional<NoiseSplit> split_noise(const Image& reference, const Image& test,
+                                      const LayerPair& pair);
+
+}  // namespace plumbline::compare

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/scales.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/row_sums.h"
+
+namespace plumbline::compare {
+
+namespace {
+
+constexpr int widest_block = 64;
+
+/// Sums of squared block means, and their number, over the row of blocks that starts at row `top`.
+std::array<double, 2> block_row(const LayerPair& pair, int top, int width) {
+    std::array<double, 2> sums{};
+    for (int left = 0; left + width <= pair.width; left += width) {
+        std::array<double, 3> d{};
+        double pixels = 0;
+        for (int y = top; y < top + width; ++y)
+            for (int x = left; x < left + width; ++x) {
+                const std::size_t i = std::size_t(y) * std::size_t(pair.width) + std::size_t(x);
+                if (!pair.usable[i]) continue;
+                for (std::size_t c = 0; c < 3; ++c)
+                    d[c] += double(pair.test[c][i]) - double(pair.reference[c][i]);
+                pixels += 1;
+            }
+        if (pixels == 0) continue;
+        for (double sum : d) sums[0] += (sum / pixels) * (sum / pixels);
+        sums[1] += 3;
+    }
+    return sums;
+}
+
+}  // namespace
+
+std::vector<ScaleError> error_by_scale(const LayerPair& pair) {
+    std::vector<ScaleError> errors;
+    for (int width = 1; width <= std::min({widest_block, pair.width, pair.height}); width *= 2) {
+        const auto sums = sum_over_rows<2>(
+            pair.height / width, [&](int row) { return block_row(pair, row * width, width); });
+        if (sums[1] == 0) break;
+        const double rmse = std::sqrt(sums[0] / sums[1]);
+        const double at_one_pixel = errors.empty() ? rmse : errors.front().rmse;
+        errors.push_back({width, rmse, at_one_pixel / width});
+    }
+    return errors;
+}
+
+std::optional<double> scale_slope(const std::vector<ScaleError>& errors) {
+    const bool has_zero =
+        std::any_of(errors.begin(), errors.end(), [](const ScaleError& e) { return e.rmse <= 0; });
+    if (errors.size() < 2 || has_zero) return std::nullopt;
+    const double n = double(errors.size());
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (const ScaleError& error : errors) {
+        const double x = std::log2(error.width), y = std::log2(error.rmse);
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+}  // namespace plumbline::compare

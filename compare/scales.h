@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "compare/layer_pair.h"
+
+namespace plumbline::compare {
+
+/// The error that is left when both pictures are averaged over square blocks.
+struct ScaleError {
+    int width;        ///< of a block, pixels
+    double rmse;      ///< of the means of d over blocks and channels
+    double if_noise;  ///< what rmse would be here if the error were independent per pixel
+};
+
+/// The error at block widths 1, 2, 4 ... 64, as far as a whole block fits.
+///
+/// Independent noise halves with each doubling; a plateau is bias or structure that per-pixel
+/// figures hide. Only whole blocks count; a pixel that is not finite is left out of its block.
+std::vector<ScaleError> error_by_scale(const LayerPair& pair);
+
+/// The slope of log2(rmse) against log2(width), least squares: -1 for independent noise, 0 for a
+/// constant bias. None with fewer than two widths or an error of zero.
+std::optional<double> scale_slope(const std::vector<ScaleError>& errors);
+
+}  // namespace plumbline::compare

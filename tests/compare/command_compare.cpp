@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "compare/thresholds.h"
+#include "scenes/errors.h"
+#include "tests/compare/test_images.h"
+
+using namespace plumbline;
+using namespace plumbline::compare;
+
+namespace {
+
+/// A folder that is gone when the test ends.
+struct Folder {
+    std::filesystem::path path;
+    Folder() {
+        std::string name = (std::filesystem::temp_directory_path() / "plumbline-XXXXXX").string();
+        path = mkdtemp(name.data());
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+};
+
+std::string text_of(const std::filesystem::path& path) {
+    std::stringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+struct Ran {
+    int exit_code;
+    std::string out, err;
+};
+
+Ran run(const Folder& folder, const std::string& arguments) {
+    const std::string out = (folder.path / "out").string(), err = (folder.path / "err").string();
+    const int status =
+        std::system((PLUMBLINE_BINARY " compare " + arguments + " >" + out + " 2>" + err).c_str());
+    return {WEXITSTATUS(status), text_of(out), text_of(err)};
+}
+
+/// A folder with r.exr and t.exr, 0.1 apart, and a smaller s.exr.
+struct Files : Folder {
+    Files() {
+        const auto flat = [](float value) {
+            return [value](int x, int, int) { return value + 0.01f * float(x); };
+        };
+        write_exr(path / "r.exr", image_of(16, 12, flat(0.5f)));
+        write_exr(path / "t.exr", image_of(16, 12, flat(0.6f)));
+        write_exr(path / "s.exr", image_of(12, 12, flat(0.6f)));
+        both = (path / "r.exr").string() + " " + (path / "t.exr").string();
+    }
+    std::string both;
+};
+
+}  // namespace
+
+TEST_CASE("compare --json prints the keys that scripts rely on", "[compare]") {
+    const Files files;
+    const Ran ran = run(files, files.both + " --json");
+    REQUIRE(ran.exit_code == 0);
+    const auto json = nlohmann::json::parse(ran.out);
+    for (const char* name : {"bias", "mae", "rmse", "relmse", "smape", "psnr_db", "ssim", "flip"})
+        CHECK(json.at("metrics").at(name).is_number());
+    CHECK(json.at("metrics").at("bias").get<double>() == Approx(0.1).epsilon(1e-5));
+    CHECK(json.at("noise").is_null());
+    CHECK(json.at("non_finite") == 0);
+    CHECK(json.at("pixels") == 16 * 12);
+    CHECK(ran.err.empty());
+}
+
+TEST_CASE("compare --fail-above exits with 1 and says which and by how much", "[compare]") {
+    const Files files;
+    const Ran ran = run(files, files.both + " --fail-above rmse=0.04 --fail-above mae=0.2");
+    CHECK(ran.exit_code == 1);
+    CHECK(ran.err == "plumbline: rmse is 0.1, above 0.04 by 0.06\n");
+    CHECK(run(files, files.both + " --fail-above rmse=0.2").exit_code == 0);
+}
+
+TEST_CASE("compare refuses what it cannot compare with one line and exit code 2", "[compare]") {
+    const Files files;
+    const std::string r = (files.path / "r.exr").string();
+    const std::map<std::string, std::string> refusals{
+        {files.both + " --layer indirect", "no layer 'indirect'"},
+        {files.both + " --fail-above rsme=1", "no metric 'rsme'"},
+        {files.both + " --fail-above rmse=x", "has no number"},
+        {files.both + " --fail-above rmse", "has no number"},
+        {r + " " + (files.path / "s.exr").string(), "12x12 but the reference is 16x12"},
+        {r + " " + (files.path / "none.exr").string(), "no such file"},
+    };
+    for (const auto& [arguments, says] : refusals) {
+        const Ran ran = run(files, arguments);
+        CHECK(ran.exit_code == 2);
+        CHECK(ran.out.empty());
+        CHECK_THAT(ran.err, Catch::Contains(says));
+        CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
+    }
+}
+
+TEST_CASE("an undefined metric fails its threshold", "[compare]") {
+    const Threshold threshold = parse_threshold("flip=0.5");
+    CHECK(exceeded({threshold}, Metrics{}).size() == 1);
+    Metrics metrics;
+    metrics.flip = 0.5;
+    CHECK(exceeded({threshold}, metrics).empty());
+}
