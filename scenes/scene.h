@@ -131,6 +131,7 @@ struct ThesisConstants {
 struct Scene {
     std::string name;
     std::string description;
+    std::string length_unit;  ///< its name only, such as "m"; may be empty
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
     std::vector<Object> objects;
@@ -143,6 +144,7 @@ struct Scene {
     std::optional<ProbeGrid> probes;         ///< none: see probe_grid()
     std::optional<ThesisConstants> thesis;   ///< as the file has them
     std::vector<std::string> not_simulated;  ///< what the file asks for beyond this: one line each
+    bool operator==(const Scene&) const = default;
 };
 
 }  // namespace plumbline

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/effects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace plumbline {
+namespace {
+
+bool dark(const Spectrum& power) { return power == Spectrum(0.f); }
+
+bool dark(const PointLight& light) {
+    return dark(light.falloff == Falloff::None ? light.white_radiance : light.intensity);
+}
+
+/// The materials on which a ray can land.
+std::set<int> materials_in_use(const Scene& scene) {
+    std::set<int> used;
+    for (const Object& object : scene.objects) {
+        if (const auto* box = std::get_if<Box>(&object.shape)) {
+            used.insert(box->face_materials.begin(), box->face_materials.end());
+        } else if (const auto* quad = std::get_if<Quad>(&object.shape)) {
+            used.insert(quad->material);
+        } else if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+            used.insert(sphere->material);
+        } else if (const auto* instance = std::get_if<MeshInstance>(&object.shape)) {
+            const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance->mesh)];
+            used.insert(mesh.triangle_materials.begin(), mesh.triangle_materials.end());
+        }
+    }
+    return used;
+}
+
+template <typename Predicate>
+std::size_t count_materials(const Scene& scene, const Predicate& predicate) {
+    const std::set<int> used = materials_in_use(scene);
+    return static_cast<std::size_t>(std::count_if(used.begin(), used.end(), [&](int material) {
+        return predicate(scene.materials[static_cast<std::size_t>(material)]);
+    }));
+}
+
+std::size_t shining_lights(const Scene& scene) {
+    return static_cast<std::size_t>(std::count_if(scene.lights.begin(), scene.lights.end(),
+                                                  [](const PointLight& l) { return !dark(l); }));
+}
+
+std::size_t emitting_materials(const Scene& scene) {
+    return count_materials(scene, [](const Material& m) { return !dark(m.emission); });
+}
+
+/// "1 light", "2 lights".
+std::string counted(std::size_t count, const std::string& what, const std::string& plural = "s") {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : plural);
+}
+
+EffectReason point_lights(const Scene& scene) {
+    const std::size_t shining = shining_lights(scene);
+    if (shining == 0) {
+        return {"point lights", false,
+                scene.lights.empty() ? "no light: no shadow ray is traced"
+                                     : "all lights have zero power: no shadow ray is traced"};
+    }
+    return {"point lights", true, counted(shining, "light") + " with power"};
+}
+
+EffectReason emission(const Scene& scene) {
+    const std::size_t emitting = emitting_materials(scene);
+    if (emitting == 0) {
+        return {"emission", false, "no emitter: every surface only reflects"};
+    }
+    return {"emission", true, counted(emitting, "emitting material") + " in use"};
+}
+
+EffectReason environment(const Scene& scene) {
+    if (dark(scene.environment)) {
+        return {"environment", false, "it is black: rays that leave the scene bring no light"};
+    }
+    return {"environment", true, "it shines on rays that leave the scene"};
+}
+
+EffectReason animation(const Scene& scene) {
+    const auto moving =
+        std::count_if(scene.objects.begin(), scene.objects.end(),
+                      [](const Object& object) { return !object.animation.empty(); });
+    if (moving == 0) return {"animation", false, "no object has keyframes: all frames are alike"};
+    if (scene.frames == 1) return {"animation", false, "the scene has one frame"};
+    return {"animation", true,
+            counted(static_cast<std::size_t>(moving), "object") + " with keyframes"};
+}
+
+EffectReason vertex_albedo(const Scene& scene) {
+    const auto coloured =
+        std::count_if(scene.meshes.begin(), scene.meshes.end(),
+                      [](const Mesh& mesh) { return !mesh.vertex_albedo.empty(); });
+    if (coloured == 0) return {"vertex colours", false, "no mesh has them"};
+    return {"vertex colours", true,
+            counted(static_cast<std::size_t>(coloured), "mesh", "es") + " with a colour a vertex"};
+}
+
+EffectReason two_sided(const Scene& scene) {
+    const std::size_t both = count_materials(scene, [](const Material& m) { return m.two_sided; });
+    if (both == 0) {
+        return {"two-sided surfaces", false, "every surface is one-sided: backs are black"};
+    }
+    return {"two-sided surfaces", true, counted(both, "two-sided material") + " in use"};
+}
+
+EffectReason interreflection(const Scene& scene) {
+    const std::size_t reflecting =
+        count_materials(scene, [](const Material& m) { return !dark(m.albedo); });
+    if (reflecting == 0) {
+        return {"interreflection", false, "no surface reflects: light ends where it falls"};
+    }
+    return {"interreflection", true, counted(reflecting, "reflecting material") + " in use"};
+}
+
+}  // namespace
+
+Effects effects_of(const Scene& scene) {
+    Effects effects;
+    if (shining_lights(scene) > 0) effects = effects | Effect::PointLights;
+    if (emitting_materials(scene) > 0) effects = effects | Effect::Emission;
+    if (!dark(scene.environment)) effects = effects | Effect::Environment;
+    return effects;
+}
+
+std::vector<EffectReason> effect_reasons(const Scene& scene) {
+    return {point_lights(scene), emission(scene),      environment(scene), interreflection(scene),
+            two_sided(scene),    vertex_albedo(scene), animation(scene)};
+}
+
+}  // namespace plumbline

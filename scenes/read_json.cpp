@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/read_json.h"
+
+#include <fmt/format.h>
+
+#include "scenes/nearest_name.h"
+#include "scenes/scene_checks.h"
+
+namespace plumbline {
+namespace {
+
+void read_materials(const JsonView& list, SceneBeingRead& into) {
+    for (const JsonView& item : list.items()) {
+        item.expect_keys({"name", "albedo", "emission", "two_sided"});
+        Material material;
+        material.name = item.at("name").text();
+        material.albedo = item.at("albedo").vec3_or_number();
+        if (const auto emission = item.find("emission")) {
+            material.emission = emission->vec3_or_number();
+        }
+        if (const auto two_sided = item.find("two_sided")) {
+            material.two_sided = two_sided->boolean();
+        }
+        into.materials.emplace(material.name, static_cast<int>(into.scene.materials.size()));
+        into.scene.materials.push_back(std::move(material));
+    }
+}
+
+PointLight read_light(const JsonView& item, std::size_t index) {
+    item.expect_keys({"name", "position", "falloff", "intensity", "white_radiance"});
+    PointLight light;
+    const auto name = item.find("name");
+    light.name = name ? name->text() : fmt::format("light {}", index);
+    light.position = item.at("position").vec3();
+    const auto falloff = item.find("falloff");
+    const std::string law = falloff ? falloff->text() : "inverse_square";
+    if (law == "inverse_square") {
+        if (const auto wrong = item.find("white_radiance")) {
+            wrong->fail("does not go with falloff inverse_square",
+                        "give \"intensity\", in W/sr, or set \"falloff\" to \"none\"");
+        }
+        light.intensity = item.at("intensity").vec3_or_number();
+    } else if (law == "none") {
+        light.falloff = Falloff::None;
+        if (const auto wrong = item.find("intensity")) {
+            wrong->fail("does not go with falloff none",
+                        "give \"white_radiance\", the radiance of a white surface that faces it");
+        }
+        light.white_radiance = item.at("white_radiance").vec3_or_number();
+    } else {
+        const std::string laws[] = {"inverse_square", "none"};
+        falloff->fail("there is no falloff " + in_quotes(law), did_you_mean(law, laws));
+    }
+    return light;
+}
+
+std::string text_or(const JsonView& root, const std::string& key, const std::string& otherwise) {
+    const auto member = root.find(key);
+    return member ? member->text() : otherwise;
+}
+
+void read_parts(const JsonView& root, SceneBeingRead& into) {
+    Scene& scene = into.scene;
+    if (const auto list = root.find("materials")) read_materials(*list, into);
+    if (const auto list = root.find("meshes")) read_meshes(*list, into);
+    if (const auto list = root.find("objects")) read_objects(*list, into);
+    if (const auto list = root.find("lights")) {
+        for (const JsonView& item : list->items()) {
+            scene.lights.push_back(read_light(item, scene.lights.size()));
+        }
+    }
+    if (const auto radiance = root.find("environment")) {
+        scene.environment = radiance->vec3_or_number();
+    }
+    scene.camera = read_camera(root.at("camera"));
+    if (const auto frames = root.find("frames")) scene.frames = frames->integer(1, max_frames);
+    if (const auto rate = root.find("frames_per_second")) scene.frames_per_second = rate->real();
+    if (const auto probes = root.find("probes")) scene.probes = read_probes(*probes);
+    if (const auto thesis = root.find("thesis")) scene.thesis = read_thesis(*thesis);
+}
+
+/// Places in a JSON file: pointers, which differ from the scene's own indices where objects were
+/// put behind their parents and meshes came from objects.
+std::string json_place(const SceneBeingRead& read, std::string_view list, std::size_t index,
+                       std::string_view member) {
+    std::string pointer = fmt::format("/{}", list);
+    if (list == "materials" || list == "lights") pointer += fmt::format("/{}", index);
+    if (list == "meshes") pointer = read.mesh_places[index];
+    if (list == "objects") pointer = read.object_places[index];
+    return member.empty() ? pointer : fmt::format("{}/{}", pointer, member);
+}
+
+}  // namespace
+
+int find_name(const JsonView& name, const std::map<std::string, int>& indices,
+              const std::string& what) {
+    const std::string wanted = name.text();
+    if (const auto found = indices.find(wanted); found != indices.end()) return found->second;
+    std::vector<std::string> known;
+    for (const auto& [other, index] : indices) known.push_back(other);
+    name.fail("there is no " + what + " " + in_quotes(wanted), did_you_mean(wanted, known));
+}
+
+Scene read_json_scene(const std::string& text, const std::string& source,
+                      const std::filesystem::path& folder) {
+    const JsonDocument document = parse_json(text, source);
+    const JsonView root(document);
+    root.expect_keys({"$schema", "name", "description", "units", "materials", "meshes", "objects",
+                      "lights", "environment", "camera", "frames", "frames_per_second", "probes",
+                      "thesis"});
+    SceneBeingRead read;
+    read.folder = folder;
+    read.scene.name = root.at("name").text();
+    read.scene.description = text_or(root, "description", "");
+    read.scene.length_unit = text_or(root, "units", "");
+    read_parts(root, read);
+    check_scene(read.scene, [&](std::string_view list, std::size_t index, std::string_view member) {
+        return source + ": " + json_place(read, list, index, member);
+    });
+    return std::move(read.scene);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "scenes/scene.h"
+
+namespace plumbline {
+
+/// The largest picture, frame count and probe count that a scene may ask for.
+constexpr int max_image_side = 16384;
+constexpr int max_pixels = 1 << 28;
+constexpr int max_frames = 10'000'000;
+constexpr int max_probes = 100'000'000;
+
+/// Tells where a part of a scene stands in its file, for messages: `list` is "objects",
+/// "materials", "meshes", "lights", "camera", "probes", ...; `index` counts in that list of the
+/// Scene; `member` is a path below it such as "sphere/radius", or empty.
+using PlaceOf =
+    std::function<std::string(std::string_view list, std::size_t index, std::string_view member)>;
+
+/// Refuses a scene that makes no sense, whichever file it came from: indices that do not exist,
+/// numbers that are not finite or out of range, names that stand twice. Linear in its size.
+/// Throws SceneError at the place that `place_of` tells.
+void check_scene(const Scene& scene, const PlaceOf& place_of);
+
+}  // namespace plumbline

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/scene_files.h"
+
+#include <algorithm>
+#include <span>
+
+#include "scenes/embedded_files.h"
+#include "scenes/errors.h"
+#include "scenes/input_files.h"
+#include "scenes/nearest_name.h"
+#include "scenes/read_json.h"
+#include "scenes/write_json.h"
+
+namespace plumbline {
+
+std::span<const EmbeddedFile> embedded_scenes_files();
+
+namespace {
+
+std::string scene_name(const EmbeddedFile& file) {
+    return std::filesystem::path(file.name).stem().string();
+}
+
+Scene load_file(const std::filesystem::path& path) {
+    return read_json_scene(read_bytes(path), path.string(), path.parent_path());
+}
+
+}  // namespace
+
+std::vector<std::string> builtin_scene_names() {
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : embedded_scenes_files()) names.push_back(scene_name(file));
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Scene load_scene(const std::string& name_or_path) {
+    for (const EmbeddedFile& file : embedded_scenes_files()) {
+        if (scene_name(file) != name_or_path) continue;
+        return read_json_scene(std::string(file.text), "built-in scene " + name_or_path, {});
+    }
+    const std::filesystem::path path(name_or_path);
+    const std::string ending = path.extension().string();
+    if (ending == ".json") return load_file(path);
+    throw SceneError(
+        in_quotes(name_or_path), "is neither a built-in scene nor a file that can be read",
+        did_you_mean(name_or_path, builtin_scene_names()) + " files end in .json, .gltf or .glb");
+}
+
+void save_scene(const Scene& scene, const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    if (ending == ".json") return write_json_scene(scene, path);
+    throw UsageError(path.string(), "scenes are not written as " + in_quotes(ending),
+                     "end the name in .json or .gltf");
+}
+
+}  // namespace plumbline
