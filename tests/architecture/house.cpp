@@ -74,3 +74,18 @@ TEST_CASE("an option that forgets NaN is found", "[architecture]") {
     CHECK(house::unsafe_math_options("c++ -Ofast -c a.cpp") == Lines{"-Ofast"});
     CHECK(house::unsafe_math_options("set(flags \"-ffast-math\")") == Lines{"-ffast-math"});
 }
+
+TEST_CASE("every source that the code cites is in the README's list", "[architecture]") {
+    const std::string readme = house::read_file(root, "README.md").text;
+    CHECK(house::sources_without_entry(house::house_files(root), readme) ==
+          std::set<std::string>{});
+}
+
+TEST_CASE("a source that is missing in the README's list is found", "[architecture]") {
+    // Put together here, so that this file cites nothing.
+    const std::string known = "Rayleigh 1900";
+    const std::string unknown = "Abel and Cain 1900";
+    const File file{"ddgi/model.h", "/// [" + known + ", eq. 2] and [" + unknown + "]"};
+    CHECK(house::sources_without_entry({file}, "**[" + known + "]** Title.") ==
+          std::set<std::string>{unknown});
+}

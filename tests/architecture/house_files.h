@@ -49,6 +49,10 @@ std::vector<std::string> layer_violations(const std::vector<File>& files);
 /// Lines "path: what is wrong with its first line, ending or line ends", one for each.
 std::vector<std::string> form_violations(const std::vector<File>& files);
 
+/// Sources cited in code as [Author Year] for which `readme` has no entry **[Author Year]**.
+std::set<std::string> sources_without_entry(const std::vector<File>& files,
+                                            const std::string& readme);
+
 /// Compiler options in `text` that let the compiler forget NaN, infinities or the order of sums.
 std::vector<std::string> unsafe_math_options(const std::string& text);
 

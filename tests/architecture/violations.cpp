@@ -77,6 +77,22 @@ std::vector<std::string> form_violations(const std::vector<File>& files) {
     return violations;
 }
 
+std::set<std::string> sources_without_entry(const std::vector<File>& files,
+                                            const std::string& readme) {
+    static const std::regex citation(
+        R"re(\[([A-Z][a-z]+(?: and [A-Z][a-z]+| et al\.)? [12][0-9]{3}[a-z]?)[^0-9a-z])re");
+    std::set<std::string> sources;
+    for (const File& file : files) {
+        if (!file.is_code()) continue;
+        const auto begin = std::sregex_iterator(file.text.begin(), file.text.end(), citation);
+        for (auto match = begin; match != std::sregex_iterator(); ++match) {
+            const std::string source = (*match)[1];
+            if (readme.find("**[" + source + "]**") == std::string::npos) sources.insert(source);
+        }
+    }
+    return sources;
+}
+
 std::vector<std::string> unsafe_math_options(const std::string& text) {
     std::vector<std::string> found;
     std::ranges::copy_if(unsafe_options, std::back_inserter(found), [&](const char* option) {
