@@ -8,6 +8,7 @@
 #include "compare/commands.h"
 #include "compare/comparison_json.h"
 #include "compare/comparison_text.h"
+#include "compare/error_maps.h"
 #include "compare/thresholds.h"
 #include "scenes/command_line.h"
 
@@ -20,6 +21,7 @@ struct CompareOptions {
     std::string reference;
     std::string test;
     std::string layer;
+    std::string folder;
     bool json = false;
     std::vector<std::string> fail_above;
 };
@@ -40,6 +42,7 @@ void run(const CompareOptions& options) {
     const Image test = read_image(options.test);
     const Comparison comparison = compare_images(reference, test, options.layer);
     warn_of_non_finite(comparison);
+    if (!options.folder.empty()) write_error_maps(options.folder, reference, test, comparison);
     if (options.json)
         fmt::print("{}\n", to_json(comparison).dump(2));
     else
@@ -61,6 +64,7 @@ void add_compare_command(CLI::App& app) {
     command.add_option("reference", options->reference, "The image taken as true")->required();
     command.add_option("test", options->test, "The image to judge")->required();
     command.add_option("--layer", options->layer, "Layer to compare (default: radiance)");
+    command.add_option("-o,--output", options->folder, "Folder for error maps, EXR and PNG");
     command.add_flag("--json", options->json, "Figures as JSON on stdout");
     command
         .add_option("--fail-above", options->fail_above,

@@ -12,25 +12,32 @@ namespace {
 
 // Exponents and thresholds of [Andersson et al. 2020, section 4.3 and table 1].
 constexpr float color_exponent = 0.7f;
-constexpr float feature_exponent = 0.5f;
 constexpr float knee_input = 0.4f;  ///< of the largest distance
 constexpr float knee_output = 0.95f;
 
 /// A small picture of one channel.
 struct Plane {
     Plane(int w, int h) : width(w), height(h), values(std::size_t(w) * std::size_t(h), 0.f) {}
-    float* row(int y) { return values.data() + std::size_t(y) * std::size_t(width); }
-    const float* row(int y) const { return values.data() + std::size_t(y) * std::size_t(width); }
+    std::size_t index(int x, int y) const {
+        return std::size_t(y) * std::size_t(width) + std::size_t(x);
+    }
+    float* row(int y) { return values.data() + index(0, y); }
+    const float* row(int y) const { return values.data() + index(0, y); }
 
     int width, height;
     std::vector<float> values;
 };
 
+/// Columns are filtered this many at a time, in vector registers; planes are padded to a multiple.
+constexpr int lanes = 16;
+
+int padded(int width) { return (width + lanes - 1) / lanes * lanes; }
+
 /// A tile and a margin around it, in YCxCz; what lies outside the picture repeats its border.
 struct OpponentTile {
     OpponentTile(const LayerPair& pair, const std::array<std::span<const float>, 3>& layer,
                  const Display& display, const Tile& tile, int margin)
-        : y(tile.width + 2 * margin, tile.height + 2 * margin), cx(y), cz(y), gray(y) {
+        : y(padded(tile.width) + 2 * margin, tile.height + 2 * margin), cx(y), cz(y), gray(y) {
         for (int j = 0; j < y.height; ++j) {
             const int source_y = std::clamp(tile.y - margin + j, 0, pair.height - 1);
             for (int i = 0; i < y.width; ++i) {
@@ -51,32 +58,35 @@ struct OpponentTile {
     Plane y, cx, cz, gray;
 };
 
-/// Adds `in` times the kernel, along x: in is wider than out by margin on either side.
+/// Adds to out[0 .. width) the products of the kernel with in[k stride ...], k = 0, 1, ...
+void filter_row(const float* in, std::size_t stride, const std::vector<float>& kernel, float* out,
+                int width) {
+    for (int x = 0; x < width; x += lanes) {
+        std::array<float, lanes> sum;
+        std::copy_n(out + x, lanes, sum.begin());
+        for (std::size_t k = 0; k < kernel.size(); ++k) {
+            const float* from = in + k * stride + x;
+            const float weight = kernel[k];
+            for (std::size_t i = 0; i < lanes; ++i) sum[i] += weight * from[i];
+        }
+        std::copy_n(sum.begin(), lanes, out + x);
+    }
+}
+
+/// `in` times the kernel along x; it is wider than the result by margin on either side.
 Plane filter_rows(const Plane& in, const std::vector<float>& kernel, int margin) {
     Plane out(in.width - 2 * margin, in.height);
     const int first = margin - int(kernel.size()) / 2;
-    for (int y = 0; y < in.height; ++y) {
-        float* __restrict to = out.row(y);
-        for (std::size_t k = 0; k < kernel.size(); ++k) {
-            const float* __restrict from = in.row(y) + first + int(k);
-            const float weight = kernel[k];
-            for (int x = 0; x < out.width; ++x) to[x] += weight * from[x];
-        }
-    }
+    for (int y = 0; y < in.height; ++y)
+        filter_row(in.row(y) + first, 1, kernel, out.row(y), out.width);
     return out;
 }
 
-/// Adds `in` times the kernel, along y, to `out`.
+/// Adds `in` times the kernel, along y, to `out`, lower by margin at top and bottom.
 void filter_columns(const Plane& in, const std::vector<float>& kernel, int margin, Plane& out) {
     const int first = margin - int(kernel.size()) / 2;
-    for (int y = 0; y < out.height; ++y) {
-        float* __restrict to = out.row(y);
-        for (std::size_t k = 0; k < kernel.size(); ++k) {
-            const float* __restrict from = in.row(y + first + int(k));
-            const float weight = kernel[k];
-            for (int x = 0; x < out.width; ++x) to[x] += weight * from[x];
-        }
-    }
+    for (int y = 0; y < out.height; ++y)
+        filter_row(in.row(y + first), std::size_t(in.width), kernel, out.row(y), out.width);
 }
 
 /// What the eye makes of one picture's tile.
@@ -138,13 +148,16 @@ void raise_to_flip(const LayerPair& pair, const Display& display, const FlipFilt
     const int margin = std::max(filters.spatial_radius, filters.feature_radius);
     const SeenTile r({pair, pair.reference, display, tile, margin}, filters, margin);
     const SeenTile t({pair, pair.test, display, tile, margin}, filters, margin);
-    for (std::size_t i = 0; i < error.size(); ++i) {
-        const float c = color_error(hyab(r.color(i), t.color(i)));
-        const float feature =
-            std::max(std::abs(r.edge(i) - t.edge(i)), std::abs(r.point(i) - t.point(i)));
-        const float f = std::pow(feature / std::sqrt(2.f), feature_exponent);
-        error[i] = std::max(error[i], std::pow(c, 1.f - f));
-    }
+    for (int y = 0; y < tile.height; ++y)
+        for (int x = 0; x < tile.width; ++x) {
+            const std::size_t i = r.y.index(x, y);
+            const float c = color_error(hyab(r.color(i), t.color(i)));
+            const float feature =
+                std::max(std::abs(r.edge(i) - t.edge(i)), std::abs(r.point(i) - t.point(i)));
+            const float f = std::sqrt(feature / std::sqrt(2.f));
+            float& largest = error[std::size_t(y) * std::size_t(tile.width) + std::size_t(x)];
+            largest = std::max(largest, std::pow(c, 1.f - f));
+        }
 }
 
 }  // namespace plumbline::compare

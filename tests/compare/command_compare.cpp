@@ -82,6 +82,18 @@ TEST_CASE("compare --fail-above exits with 1 and says which and by how much", "[
     CHECK(run(files, files.both + " --fail-above rmse=0.2").exit_code == 0);
 }
 
+TEST_CASE("compare -o writes the maps as EXR and PNG", "[compare]") {
+    const Files files;
+    const auto folder = files.path / "maps";
+    REQUIRE(run(files, files.both + " -o " + folder.string()).exit_code == 0);
+    const Image maps = read_image(folder / "error_maps.exr");
+    CHECK(maps.layer("signed")[1][5] == Approx(0.1f));
+    CHECK(maps.layer("absolute")[2][7] == Approx(0.1f));
+    CHECK(maps.has_channel("flip.Y"));
+    for (const char* name : {"absolute.png", "signed.png", "relative.png", "flip.png"})
+        CHECK(read_image(folder / name).width() >= 16);
+}
+
 TEST_CASE("compare refuses what it cannot compare with one line and exit code 2", "[compare]") {
     const Files files;
     const std::string r = (files.path / "r.exr").string();
