@@ -3,6 +3,6 @@
 
 namespace plumbline {
 
-void add_pathtracer_commands(CLI::App&) {}
+void add_pathtracer_commands(CLI::App& app) { pathtracer::add_render_command(app); }
 
 }  // namespace plumbline

@@ -10,4 +10,10 @@ namespace plumbline {
 /// The subcommands of this folder.
 void add_pathtracer_commands(CLI::App& app);
 
+namespace pathtracer {
+
+void add_render_command(CLI::App& app);
+
+}  // namespace pathtracer
+
 }  // namespace plumbline

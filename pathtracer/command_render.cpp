@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "pathtracer/commands.h"
+#include "pathtracer/render.h"
+#include "scenes/command_line.h"
+#include "scenes/errors.h"
+
+namespace plumbline::pathtracer {
+namespace {
+
+struct Arguments {
+    CommonOptions common;
+    RenderOptions render;
+    std::string scene;
+    std::string output;
+    bool json = false;
+};
+
+/// Told before hours are spent on a picture that cannot be kept.
+void check_output(const std::string& output) {
+    if (std::filesystem::path(output).extension() == ".exr") return;
+    throw UsageError("--output", fmt::format("'{}' is not an EXR file", output),
+                     "give a name that ends in .exr");
+}
+
+void print_json(const RenderResult& result) {
+    nlohmann::ordered_json json;
+    json["spp"] = result.spp;
+    json["seconds"] = result.seconds;
+    json["rays"] = result.rays;
+    json["rays_per_second"] = double(result.rays) / result.seconds;
+    json["relmse_estimate"] = result.relmse_estimate;  // NaN becomes null
+    json["non_finite"] = result.non_finite.samples;
+    if (const auto& first = result.non_finite.first) {
+        json["first_non_finite"] = {{"x", first->x}, {"y", first->y}};
+    }
+    json["width"] = result.image.width();
+    json["height"] = result.image.height();
+    fmt::print("{}\n", json.dump());
+}
+
+void tell(const RenderResult& result, const std::string& output) {
+    fmt::print(stderr,
+               "{}: {} samples a pixel in {:.2f} s, {:.1f} million rays/s, relMSE about {:.2g}\n",
+               output, result.spp, result.seconds, double(result.rays) / result.seconds * 1e-6,
+               result.relmse_estimate);
+    if (const auto& first = result.non_finite.first) {
+        fmt::print(
+            stderr,
+            "{}: {} samples are not finite, the first at pixel ({}, {}); their pixels show it\n",
+            output, result.non_finite.samples, first->x, first->y);
+    }
+}
+
+void run(const Arguments& arguments) {
+    check_output(arguments.output);
+    const auto limits = arguments.common.apply();
+    const Scene scene = load_scene_for(arguments.scene, arguments.common);
+    const RenderResult result = render(scene, frame_of(scene, arguments.common), arguments.render);
+    write_exr(arguments.output, result.image);
+    tell(result, arguments.output);
+    if (arguments.json) print_json(result);
+}
+
+/// CLI11 reads "nan" as a number; nothing compares with it.
+CLI::Validator above_zero() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            double value = 0.;
+            const bool above = CLI::detail::lexical_cast(text, value) && value > 0.;
+            return above ? std::string() : fmt::format("'{}' is not a number above 0", text);
+        },
+        "NUMBER > 0");
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App& command = *app.add_subcommand("render", "Path-trace a scene: the ground truth");
+    command.add_option("scene", arguments->scene, "Built-in name, or .json, .gltf, .glb file")
+        ->required();
+    command.add_option("-o,--output", arguments->output, "EXR file to write")->required();
+    add_common_options(command, arguments->common);
+
+    RenderOptions& options = arguments->render;
+    constexpr int most = 1 << 24;  // sums of so many samples keep every digit
+    CLI::Option* spp = command.add_option("--spp", options.spp, "Samples a pixel (default: 64)")
+                           ->check(CLI::Range(1, most));
+    CLI::Option* target = command
+                              .add_option("--target-relmse", options.target_relmse,
+                                          "Stop when the estimated relMSE falls to this")
+                              ->check(above_zero());
+    CLI::Option* time = command.add_option("--time", options.seconds, "Stop after so many seconds")
+                            ->check(above_zero());
+    target->excludes(spp);
+    time->excludes(spp)->excludes(target);
+    command
+        .add_option("--max-bounces", options.max_bounces,
+                    "Indirect bounces; 0: direct light only (default: Russian roulette ends them)")
+        ->check(CLI::Range(0, most));
+    command.add_option("--seed", options.seed, "Seed of all random numbers (default: 0)");
+    command.add_flag("--json", arguments->json, "Print figures as JSON on stdout");
+    command.callback([arguments, target, time] {
+        if (target->count() + time->count() > 0) arguments->render.spp = most;
+        run(*arguments);
+    });
+}
+
+}  // namespace plumbline::pathtracer

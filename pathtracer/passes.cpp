@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pathtracer/passes.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace plumbline::pathtracer {
+namespace {
+
+/// Small enough to share out evenly, large enough that neighbouring rays share the cache.
+constexpr int tile_size = 16;
+
+int tiles_along(int pixels) { return (pixels + tile_size - 1) / tile_size; }
+
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Calls `f` with the kernel's template argument for `effects`, F of F{bits} for each set there is.
+template <unsigned bits = 0, typename Function>
+void with_effects(Effects effects, const Function& f) {
+    constexpr Effects all =
+        Effects{} | Effect::PointLights | Effect::Emission | Effect::Environment;
+    if constexpr (bits <= all.bits) {
+        if (effects.bits == bits) return f.template operator()<Effects{bits}>();
+        with_effects<bits + 1>(effects, f);
+    } else {
+        assert(!"an effect that the path tracer has no kernel for");
+    }
+}
+
+}  // namespace
+
+struct Passes::TileCounts {
+    std::uint64_t rays = 0;
+    NonFinite non_finite;
+};
+
+Passes::Passes(const RayTracer& tracer, Effects effects, const PathOptions& options,
+               std::uint64_t seed)
+    : tracer_(tracer),
+      effects_(effects),
+      options_(options),
+      seed_(seed),
+      camera_rays_(tracer.world().camera),
+      forward_(glm::normalize(tracer.world().camera.target - tracer.world().camera.eye)) {
+    const Camera& camera = tracer.world().camera;
+    pixels_.resize(std::size_t(camera.width) * std::size_t(camera.height));
+}
+
+std::uint64_t Passes::tiles() const {
+    const Camera& camera = tracer_.world().camera;
+    return std::uint64_t(tiles_along(camera.width)) * std::uint64_t(tiles_along(camera.height));
+}
+
+void Passes::add(const Pass& pass, Progress& progress) {
+    with_effects(effects_, [&]<Effects F>() { add_with<F>(pass, progress); });
+}
+
+template <Effects F>
+void Passes::add_with(const Pass& pass, Progress& progress) {
+    std::vector<TileCounts> counts(tiles());
+    tbb::parallel_for(std::size_t(0), counts.size(), [&](std::size_t tile) {
+        counts[tile] = add_tile<F>(pass, static_cast<int>(tile));
+        progress.advance();
+    });
+    const auto row_major = [](const glm::ivec2& p) { return std::pair(p.y, p.x); };
+    for (const TileCounts& tile : counts) {
+        rays_ += tile.rays;
+        non_finite_.samples += tile.non_finite.samples;
+        const auto& found = tile.non_finite.first;
+        if (found && (!non_finite_.first || row_major(*found) < row_major(*non_finite_.first))) {
+            non_finite_.first = found;
+        }
+    }
+}
+
+template <Effects F>
+Passes::TileCounts Passes::add_tile(const Pass& pass, int tile) {
+    const Camera& camera = tracer_.world().camera;
+    const int tiles_x = tiles_along(camera.width);
+    const int left = tile % tiles_x * tile_size;
+    const int top = tile / tiles_x * tile_size;
+    TileCounts counts;
+    for (int y = top; y < std::min(top + tile_size, camera.height); ++y) {
+        for (int x = left; x < std::min(left + tile_size, camera.width); ++x) {
+            add_to_pixel<F>(pass, x, y, counts);
+        }
+    }
+    return counts;
+}
+
+template <Effects F>
+void Passes::add_to_pixel(const Pass& pass, int x, int y, TileCounts& counts) {
+    const Camera& camera = tracer_.world().camera;
+    PixelEstimate& pixel = pixels_[std::size_t(y) * std::size_t(camera.width) + std::size_t(x)];
+    const std::uint64_t key = pixel_key(seed_, x, y);
+    for (int first = pass.first; first < pass.last; first += pass.group) {
+        const bool counted_singly = pixel.groups > 1 && pixel.groups == pixel.sums.samples;
+        if (pass.group > 1 && counted_singly) pixel.join_groups();
+        SampleSums group;
+        for (int sample = first; sample < std::min(first + pass.group, pass.last); ++sample) {
+            Sampler sampler(key, sample);
+            const glm::vec2 at = glm::vec2(x, y) + sampler.next_2d();
+            const Ray ray = camera_rays_.through(at.x, at.y);
+            const Path path = trace_path<F>(tracer_, ray, sampler, options_);
+            group.add(path, camera.eye, forward_);
+            counts.rays += path.rays;
+            if (!is_finite(path.direct + path.indirect)) {
+                ++counts.non_finite.samples;
+                if (!counts.non_finite.first) counts.non_finite.first = glm::ivec2(x, y);
+            }
+        }
+        pixel.add_group(group);
+    }
+}
+
+}  // namespace plumbline::pathtracer
