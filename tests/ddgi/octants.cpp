@@ -19,7 +19,7 @@ glm::vec3 random_normal(std::mt19937& random) {
 
 /// W_d(n) by the midpoint rule in cos(polar angle) and azimuth, an area-preserving map.
 double integrated(const glm::ivec3& principal, const glm::vec3& n) {
-    constexpr int steps = 700;
+    constexpr int steps = 400;
     const double middle = std::atan2(principal.z, principal.x);
     double sum = 0.;
     for (int i = 0; i < steps; ++i) {
@@ -48,7 +48,7 @@ TEST_CASE("the closed form of W_d agrees with numeric integration", "[ddgi][anal
         const auto W = octant_cosines(n);
         for (std::size_t d = 0; d < octant_count; ++d) {
             INFO("n = (" << n.x << ", " << n.y << ", " << n.z << "), d = " << d);
-            CHECK(W[d] == Approx(integrated(principal_directions[d], n)).margin(2e-5));
+            CHECK(W[d] == Approx(integrated(principal_directions[d], n)).margin(5e-5));
         }
     }
 }
