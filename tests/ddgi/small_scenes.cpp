@@ -69,7 +69,7 @@ Scene integrating_sphere(float albedo, const glm::vec3& light) {
     point.intensity = Spectrum(1.f);
     scene.lights = {point};
     scene.camera = small_camera();
-    scene.probes = ProbeGrid{glm::vec3(-1.8f), .4f, {10, 10, 10}};
+    scene.probes = ProbeGrid{glm::vec3(-1.1f), .44f, {6, 6, 6}};  // corners inside too
     return scene;
 }
 
