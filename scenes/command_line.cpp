@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
+#include <CLI/CLI.hpp>  // the parser itself, for the whole program
 #include <cstdio>
 
 #include "scenes/errors.h"

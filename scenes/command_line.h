@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>  // not CLI.hpp: it emits the whole parser into each file that includes it
 #include <memory>
 #include <optional>
 #include <string>
