@@ -74,6 +74,9 @@ void read_parts(const JsonView& root, SceneBeingRead& into) {
     }
     scene.camera = read_camera(root.at("camera"));
     if (const auto frames = root.find("frames")) scene.frames = frames->integer(1, max_frames);
+    if (const auto frame = root.find("report_frame")) {
+        scene.report_frame = frame->integer(0, max_frames - 1);
+    }
     if (const auto rate = root.find("frames_per_second")) scene.frames_per_second = rate->real();
     if (const auto probes = root.find("probes")) scene.probes = read_probes(*probes);
     if (const auto thesis = root.find("thesis")) scene.thesis = read_thesis(*thesis);
@@ -106,8 +109,8 @@ Scene read_json_scene(const std::string& text, const std::string& source,
     const JsonDocument document = parse_json(text, source);
     const JsonView root(document);
     root.expect_keys({"$schema", "name", "description", "units", "materials", "meshes", "objects",
-                      "lights", "environment", "camera", "frames", "frames_per_second", "probes",
-                      "thesis"});
+                      "lights", "environment", "camera", "frames", "report_frame",
+                      "frames_per_second", "probes", "thesis"});
     SceneBeingRead read;
     read.folder = folder;
     read.scene.name = root.at("name").text();

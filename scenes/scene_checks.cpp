@@ -108,6 +108,11 @@ void check_frames(const Scene& scene, const PlaceOf& place_of) {
             .fail("", fmt::format("is {}", scene.frames),
                   fmt::format("a scene has 1 to {}", max_frames));
     }
+    if (scene.report_frame < 0 || scene.report_frame >= scene.frames) {
+        Checked(place_of, "report_frame")
+            .fail("", fmt::format("is {}", scene.report_frame),
+                  fmt::format("the scene has frames 0 to {}", scene.frames - 1));
+    }
     if (!(scene.frames_per_second > 0.f) || !finite(scene.frames_per_second)) {
         Checked(place_of, "frames_per_second")
             .fail("", fmt::format("is {:g}", scene.frames_per_second), "it is above 0");

@@ -186,6 +186,7 @@ OrderedJson json_of(const Scene& scene) {
     json["environment"] = shortest(scene.environment);
     json["camera"] = camera_json(scene.camera);
     json["frames"] = scene.frames;
+    json["report_frame"] = scene.report_frame;
     json["frames_per_second"] = shortest(scene.frames_per_second);
     if (scene.probes) json["probes"] = probes_json(*scene.probes);
     if (scene.thesis) json["thesis"] = thesis_json(*scene.thesis);

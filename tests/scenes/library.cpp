@@ -197,3 +197,13 @@ TEST_CASE("two-rooms' wall is a tenth of a cell thick, and its door covers the d
     const Bounds open = find(world_at(scene, scene.frames - 1), "door").object->bounds;
     CHECK(open.lower.z >= doorway.upper.z);
 }
+
+TEST_CASE("a report shows the Cornell Box at rest and the room with its door open",
+          "[scenes][library]") {
+    CHECK(load_scene("cornell-box").report_frame == 0);
+    const Scene room = load_scene("room-with-door");
+    CHECK(room.report_frame == 350);
+    const float shut = find(world_at(room, 0), "door").object->bounds.lower.y;
+    const float open = find(world_at(room, room.report_frame), "door").object->bounds.lower.y;
+    CHECK(open - shut == Approx(150));
+}
