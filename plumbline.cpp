@@ -8,6 +8,7 @@
 #include "pathtracer/commands.h"
 #include "reports/commands.h"
 #include "scenes/command_line.h"
+#include "scenes/commands.h"
 #include "scenes/errors.h"
 
 namespace {

@@ -120,7 +120,8 @@ void check_objects(const Scene& scene, const PlaceOf& place_of) {
         }
         if (uneven[i] != -1 && std::holds_alternative<Sphere>(object.shape)) {
             checked.fail("",
-                         "is a sphere, but " + in_quotes(scene.objects[std::size_t(uneven[i])].name) +
+                         "is a sphere, but " +
+                             in_quotes(scene.objects[std::size_t(uneven[i])].name) +
                              " scales it unevenly",
                          "scale a sphere alike along x, y and z, or use a mesh");
         }

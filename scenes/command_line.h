@@ -35,7 +35,4 @@ int frame_of(const Scene& scene, const CommonOptions& options);
 /// The callback of each subcommand sets it; plumbline.cpp returns it.
 extern int exit_code;
 
-/// The subcommands of this folder.
-void add_scenes_commands(CLI::App& app);
-
 }  // namespace plumbline

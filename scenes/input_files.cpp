@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "scenes/errors.h"
+#include "scenes/nearest_name.h"
 
 namespace plumbline {
 
@@ -32,6 +33,16 @@ std::string read_bytes(const std::filesystem::path& path) {
     }
     if (file.bad()) throw SceneError(path.string(), "cannot be read to its end", "check the disk");
     return bytes;
+}
+
+std::filesystem::path file_inside(const std::filesystem::path& folder, const std::string& name,
+                                  const JsonView& place) {
+    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    if (name.empty() || path.is_absolute() || path.begin()->string() == "..") {
+        place.fail(in_quotes(name) + " is not in the scene's folder",
+                   "put the file into that folder or below, and name it relative to it");
+    }
+    return folder / path;
 }
 
 }  // namespace plumbline

@@ -72,7 +72,12 @@ std::vector<JsonView> JsonView::items() const {
     return views;
 }
 
-std::vector<JsonView> JsonView::items(std::size_t count, const char* what) const {
+std::vector<JsonView> JsonView::items(const std::string& key) const {
+    const auto member = find(key);
+    return member ? member->items() : std::vector<JsonView>();
+}
+
+std::vector<JsonView> JsonView::items(std::size_t count, const std::string& what) const {
     if (!value_->is_array() || value_->size() != count) fail_type(what);
     return items();
 }
@@ -111,6 +116,21 @@ int JsonView::integer(int least, int most) const {
         fail_type("a whole number " + range);
     }
     return static_cast<int>(value);
+}
+
+int JsonView::index(std::size_t count, const std::string& what) const {
+    const int value = integer(0);
+    if (static_cast<std::size_t>(value) < count) return value;
+    fail(fmt::format("asks for {} {}", what, value),
+         count == 0 ? "there are none" : fmt::format("there are 0 to {}", count - 1));
+}
+
+std::vector<double> JsonView::numbers(std::size_t count) const {
+    std::vector<double> values;
+    for (const JsonView& item : items(count, fmt::format("an array of {} numbers", count))) {
+        values.push_back(item.number());
+    }
+    return values;
 }
 
 glm::vec3 JsonView::vec3() const {

@@ -46,6 +46,8 @@ class JsonView {
     JsonView at(const std::string& key) const;
     /// The elements of this array.
     std::vector<JsonView> items() const;
+    /// The elements of the array of this name, none if there is no such member.
+    std::vector<JsonView> items(const std::string& key) const;
 
     std::string text() const;
     bool boolean() const;
@@ -53,6 +55,10 @@ class JsonView {
     /// A number that is finite as a 32-bit float.
     float real() const;
     int integer(int least, int most = std::numeric_limits<int>::max()) const;
+    /// A whole number that counts from 0 in a list of `count` things called `what`.
+    int index(std::size_t count, const std::string& what) const;
+    /// Exactly `count` numbers.
+    std::vector<double> numbers(std::size_t count) const;
     glm::vec3 vec3() const;
     glm::ivec3 ivec3(int least, int most) const;
     /// Three numbers, or one that stands for three equal ones.
@@ -63,7 +69,7 @@ class JsonView {
  private:
     JsonView(const std::string& source, const Json& value, std::string pointer)
         : source_(&source), value_(&value), pointer_(std::move(pointer)) {}
-    std::vector<JsonView> items(std::size_t count, const char* what) const;
+    std::vector<JsonView> items(std::size_t count, const std::string& what) const;
     [[noreturn]] void fail_type(const std::string& expected) const;
 
     const std::string* source_;

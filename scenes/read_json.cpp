@@ -54,11 +54,6 @@ PointLight read_light(const JsonView& item, std::size_t index) {
     return light;
 }
 
-std::string text_or(const JsonView& root, const std::string& key, const std::string& otherwise) {
-    const auto member = root.find(key);
-    return member ? member->text() : otherwise;
-}
-
 void read_parts(const JsonView& root, SceneBeingRead& into) {
     Scene& scene = into.scene;
     if (const auto list = root.find("materials")) read_materials(*list, into);
@@ -69,17 +64,8 @@ void read_parts(const JsonView& root, SceneBeingRead& into) {
             scene.lights.push_back(read_light(item, scene.lights.size()));
         }
     }
-    if (const auto radiance = root.find("environment")) {
-        scene.environment = radiance->vec3_or_number();
-    }
     scene.camera = read_camera(root.at("camera"));
-    if (const auto frames = root.find("frames")) scene.frames = frames->integer(1, max_frames);
-    if (const auto frame = root.find("report_frame")) {
-        scene.report_frame = frame->integer(0, max_frames - 1);
-    }
-    if (const auto rate = root.find("frames_per_second")) scene.frames_per_second = rate->real();
-    if (const auto probes = root.find("probes")) scene.probes = read_probes(*probes);
-    if (const auto thesis = root.find("thesis")) scene.thesis = read_thesis(*thesis);
+    read_settings(root, scene);
 }
 
 /// Places in a JSON file: pointers, which differ from the scene's own indices where objects were
@@ -114,8 +100,6 @@ Scene read_json_scene(const std::string& text, const std::string& source,
     SceneBeingRead read;
     read.folder = folder;
     read.scene.name = root.at("name").text();
-    read.scene.description = text_or(root, "description", "");
-    read.scene.length_unit = text_or(root, "units", "");
     read_parts(root, read);
     check_scene(read.scene, [&](std::string_view list, std::size_t index, std::string_view member) {
         return source + ": " + json_place(read, list, index, member);

@@ -95,4 +95,19 @@ ThesisConstants read_thesis(const JsonView& item) {
     return thesis;
 }
 
+void read_settings(const JsonView& item, Scene& scene) {
+    if (const auto text = item.find("description")) scene.description = text->text();
+    if (const auto units = item.find("units")) scene.length_unit = units->text();
+    if (const auto radiance = item.find("environment")) {
+        scene.environment = radiance->vec3_or_number();
+    }
+    if (const auto frames = item.find("frames")) scene.frames = frames->integer(1, max_frames);
+    if (const auto frame = item.find("report_frame")) {
+        scene.report_frame = frame->integer(0, max_frames - 1);
+    }
+    if (const auto rate = item.find("frames_per_second")) scene.frames_per_second = rate->real();
+    if (const auto probes = item.find("probes")) scene.probes = read_probes(*probes);
+    if (const auto thesis = item.find("thesis")) scene.thesis = read_thesis(*thesis);
+}
+
 }  // namespace plumbline

@@ -8,7 +8,9 @@
 #include "scenes/errors.h"
 #include "scenes/input_files.h"
 #include "scenes/nearest_name.h"
+#include "scenes/read_gltf.h"
 #include "scenes/read_json.h"
+#include "scenes/write_gltf.h"
 #include "scenes/write_json.h"
 
 namespace plumbline {
@@ -19,10 +21,6 @@ namespace {
 
 std::string scene_name(const EmbeddedFile& file) {
     return std::filesystem::path(file.name).stem().string();
-}
-
-Scene load_file(const std::filesystem::path& path) {
-    return read_json_scene(read_bytes(path), path.string(), path.parent_path());
 }
 
 }  // namespace
@@ -41,7 +39,10 @@ Scene load_scene(const std::string& name_or_path) {
     }
     const std::filesystem::path path(name_or_path);
     const std::string ending = path.extension().string();
-    if (ending == ".json") return load_file(path);
+    if (ending == ".json") {
+        return read_json_scene(read_bytes(path), path.string(), path.parent_path());
+    }
+    if (ending == ".gltf" || ending == ".glb") return read_gltf_scene(path);
     throw SceneError(
         in_quotes(name_or_path), "is neither a built-in scene nor a file that can be read",
         did_you_mean(name_or_path, builtin_scene_names()) + " files end in .json, .gltf or .glb");
@@ -50,6 +51,7 @@ Scene load_scene(const std::string& name_or_path) {
 void save_scene(const Scene& scene, const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
     if (ending == ".json") return write_json_scene(scene, path);
+    if (ending == ".gltf") return write_gltf_scene(scene, path);
     throw UsageError(path.string(), "scenes are not written as " + in_quotes(ending),
                      "end the name in .json or .gltf");
 }

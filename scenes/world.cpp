@@ -3,53 +3,17 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "scenes/errors.h"
+#include "scenes/tessellate.h"
 
 namespace plumbline {
 namespace {
 
 /// The largest relative difference between the scales of two axes that still makes a sphere.
 constexpr float even_scale_tolerance = 1e-4f;
-
-/// A face as corners in counter-clockwise order from the front; bit 0, 1, 2 of a corner: the
-/// upper x, y, z.
-constexpr std::array<std::array<unsigned, 4>, 6> box_face_corners = {{
-    {1, 3, 7, 5},  // +x
-    {0, 4, 6, 2},  // -x
-    {2, 6, 7, 3},  // +y
-    {0, 1, 5, 4},  // -y
-    {4, 5, 7, 6},  // +z
-    {0, 2, 3, 1},  // -z
-}};
-
-Mesh mesh_of(const Box& box) {
-    Mesh mesh;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        mesh.positions.emplace_back((corner & 1u) != 0 ? box.upper.x : box.lower.x,
-                                    (corner & 2u) != 0 ? box.upper.y : box.lower.y,
-                                    (corner & 4u) != 0 ? box.upper.z : box.lower.z);
-    }
-    for (std::size_t face = 0; face < box_face_corners.size(); ++face) {
-        const auto& [a, b, c, d] = box_face_corners[face];
-        mesh.triangles.emplace_back(a, b, c);
-        mesh.triangles.emplace_back(a, c, d);
-        mesh.triangle_materials.insert(mesh.triangle_materials.end(), 2, box.face_materials[face]);
-    }
-    return mesh;
-}
-
-Mesh mesh_of(const Quad& quad) {
-    Mesh mesh;
-    mesh.positions = {quad.corner, quad.corner + quad.edge_u,
-                      quad.corner + quad.edge_u + quad.edge_v, quad.corner + quad.edge_v};
-    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    mesh.triangle_materials = {quad.material, quad.material};
-    return mesh;
-}
 
 glm::vec3 transformed(const glm::mat4& m, const glm::vec3& p) {
     return glm::vec3(m * glm::vec4(p, 1.f));

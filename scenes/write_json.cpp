@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <limits>
 
@@ -153,6 +154,12 @@ OrderedJson thesis_json(const ThesisConstants& thesis) {
 }  // namespace
 
 OrderedJson shortest(float value) {
+    // Whole numbers without a decimal point, up to where a float counts in ones.
+    constexpr float largest_count = 1 << 24;
+    const bool minus_zero = value == 0.f && std::signbit(value);
+    if (value == std::trunc(value) && std::abs(value) <= largest_count && !minus_zero) {
+        return static_cast<int>(value);
+    }
     char text[32];
     const auto written = std::to_chars(text, text + sizeof text, value);
     double decimal = 0;
@@ -169,19 +176,10 @@ OrderedJson shortest(const glm::quat& value) {
     return {shortest(value.x), shortest(value.y), shortest(value.z), shortest(value.w)};
 }
 
-OrderedJson json_of(const Scene& scene) {
+OrderedJson settings_json(const Scene& scene) {
     OrderedJson json = {{"name", scene.name}, {"description", scene.description}};
     if (!scene.length_unit.empty()) json["units"] = scene.length_unit;
-    json["materials"] = OrderedJson::array();
-    json["objects"] = OrderedJson::array();
     json["lights"] = OrderedJson::array();
-    for (const Material& material : scene.materials) {
-        json["materials"].push_back(material_json(material));
-    }
-    for (const Mesh& mesh : scene.meshes) json["meshes"].push_back(mesh_json(mesh, scene));
-    for (const Object& object : scene.objects) {
-        json["objects"].push_back(object_json(object, scene));
-    }
     for (const PointLight& light : scene.lights) json["lights"].push_back(light_json(light));
     json["environment"] = shortest(scene.environment);
     json["camera"] = camera_json(scene.camera);
@@ -190,6 +188,25 @@ OrderedJson json_of(const Scene& scene) {
     json["frames_per_second"] = shortest(scene.frames_per_second);
     if (scene.probes) json["probes"] = probes_json(*scene.probes);
     if (scene.thesis) json["thesis"] = thesis_json(*scene.thesis);
+    return json;
+}
+
+OrderedJson json_of(const Scene& scene) {
+    const OrderedJson settings = settings_json(scene);
+    OrderedJson json;
+    for (const char* key : {"name", "description", "units"}) {
+        if (settings.contains(key)) json[key] = settings[key];
+    }
+    json["materials"] = OrderedJson::array();
+    for (const Material& material : scene.materials) {
+        json["materials"].push_back(material_json(material));
+    }
+    for (const Mesh& mesh : scene.meshes) json["meshes"].push_back(mesh_json(mesh, scene));
+    json["objects"] = OrderedJson::array();
+    for (const Object& object : scene.objects) {
+        json["objects"].push_back(object_json(object, scene));
+    }
+    json.update(settings);
     return json;
 }
 

@@ -17,6 +17,9 @@ OrderedJson shortest(const glm::vec3& value);
 /// As x, y, z, w.
 OrderedJson shortest(const glm::quat& value);
 
+/// All of the scene but its materials, meshes and objects, in Plumbline's JSON format.
+OrderedJson settings_json(const Scene& scene);
+
 /// The scene in Plumbline's JSON format.
 OrderedJson json_of(const Scene& scene);
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scenes/write_json.h"
+
+namespace plumbline {
+
+/// Extras under Plumbline's own key, apart from those of other programs.
+OrderedJson under_plumbline(OrderedJson extras);
+
+/// The colour in [0,1] of light of a strength: their product, taken in double, rounds to the same
+/// floats.
+OrderedJson colour_of(const Spectrum& light, float strength);
+
+OrderedJson gltf_material(const Material& material);
+
+/// The exact shape that a mesh stands for, for the mesh's extras.
+OrderedJson shape_extras(const Box& box);
+OrderedJson shape_extras(const Quad& quad);
+OrderedJson shape_extras(const Sphere& sphere);
+
+/// The camera, and the node that carries it.
+OrderedJson gltf_camera(const Camera& camera);
+OrderedJson gltf_camera_node(const Camera& camera);
+
+/// What the format cannot say of the scene as a whole, for its extras.
+OrderedJson scene_extras(const Scene& scene);
+
+}  // namespace plumbline

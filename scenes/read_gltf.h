@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scenes/gltf_accessors.h"
+#include "scenes/scene.h"
+
+namespace plumbline {
+
+/// Reads glTF 2.0. What the format cannot say is taken from `extras` under the key "plumbline";
+/// what is not simulated is told in Scene::not_simulated. The result is checked.
+/// Throws SceneError.
+Scene read_gltf_scene(const std::filesystem::path& path);
+
+/// Gives names that are missing or stand twice, which glTF allows, a number.
+class UniqueNames {
+ public:
+    std::string operator()(const JsonView& item, const std::string& fallback, std::size_t index);
+
+ private:
+    std::set<std::string> taken_;
+};
+
+/// A glTF file while it is read.
+struct GltfBeingRead {
+    explicit GltfBeingRead(const GltfDocument& document);
+
+    JsonView root;
+    GltfAccessors accessors;
+    std::vector<JsonView> nodes;
+    std::vector<JsonView> lights;
+    std::vector<JsonView> cameras;
+    Scene scene;
+
+    /// What a node shows, for each mesh of the file.
+    using Shape = decltype(Object::shape);
+    std::vector<Shape> mesh_shapes;
+    std::optional<int> default_material;
+    UniqueNames mesh_names, material_names, object_names, light_names;
+    /// For each of scene.meshes, objects and lights, the JSON pointer where it is written.
+    std::vector<std::string> mesh_places, object_places, light_places;
+    std::string camera_place;
+    bool frames_given = false;
+    /// For each node its parent, -1 at the top; none for nodes that are not shown.
+    std::vector<std::optional<int>> parents;
+    /// For each node, its object, or -1: leaves that only carry a light or a camera have none.
+    std::vector<int> node_objects;
+
+    /// Adds a line to Scene::not_simulated unless it stands there.
+    void note(const std::string& line);
+};
+
+/// The object under "extras"/"plumbline", if any.
+std::optional<JsonView> plumbline_extras(const JsonView& item);
+/// The object under "extensions"/`name`, if any.
+std::optional<JsonView> extension(const JsonView& item, const std::string& name);
+
+/// The parts of read_gltf_scene.
+void read_gltf_materials(GltfBeingRead& gltf);
+void read_gltf_meshes(GltfBeingRead& gltf);
+/// The box, quad or sphere that a mesh stands for, if its extras say so and its vertices agree.
+std::optional<GltfBeingRead::Shape> exact_shape(const JsonView& mesh, const Mesh& vertices,
+                                                const Scene& scene);
+void read_gltf_nodes(GltfBeingRead& gltf);
+/// Plays the file's first animation; needs the nodes.
+void read_gltf_animation(GltfBeingRead& gltf);
+/// Lights and cameras where they are at frame 0; needs the nodes and the animation.
+void read_gltf_carried(GltfBeingRead& gltf);
+
+/// A node's own transform.
+Transform gltf_transform(const JsonView& node);
+/// Which light the node carries, if any.
+std::optional<JsonView> gltf_light_of(const JsonView& node);
+
+}  // namespace plumbline

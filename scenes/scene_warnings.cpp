@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "scenes/effects.h"
+#include "scenes/inspection.h"
+#include "scenes/nearest_name.h"
+
+namespace plumbline {
+namespace {
+
+bool finite(const glm::vec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+std::string many(std::size_t count, const char* one, const char* several) {
+    return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+void warn_of_triangles(const World& world, std::vector<std::string>& warnings) {
+    for (const WorldMesh& mesh : world.meshes) {
+        std::size_t without_area = 0;
+        std::size_t not_finite = 0;
+        for (const glm::vec3& p : mesh.positions) not_finite += finite(p) ? 0 : 1;
+        for (const glm::uvec3& t : mesh.triangles) {
+            // In double, where the products of floats neither round nor underflow.
+            const glm::dvec3 a(mesh.positions[t.x]);
+            const glm::dvec3 u = glm::dvec3(mesh.positions[t.y]) - a;
+            const glm::dvec3 v = glm::dvec3(mesh.positions[t.z]) - a;
+            without_area += glm::length(glm::cross(u, v)) == 0. ? 1 : 0;
+        }
+        const std::string who = in_quotes(world.objects[std::size_t(mesh.object)].name);
+        if (without_area > 0) {
+            warnings.push_back(fmt::format("{} has {} without area: nothing can hit them", who,
+                                           many(without_area, "triangle", "triangles")));
+        }
+        if (not_finite > 0) {
+            warnings.push_back(
+                fmt::format("{} has {} beyond the range of a float: scale the scene down", who,
+                            many(not_finite, "vertex", "vertices")));
+        }
+    }
+}
+
+void warn_of_precision(const World& world, std::vector<std::string>& warnings) {
+    // A surface is then placed to a ten-thousandth of the smallest object or better.
+    constexpr float coarsest = 1e-4f;
+    const Bounds bounds = world.bounds();
+    if (bounds.empty()) {
+        warnings.push_back("nothing to see: no object has a shape at this frame");
+        return;
+    }
+    const float farthest =
+        std::max(max_component(glm::abs(bounds.lower)), max_component(glm::abs(bounds.upper)));
+    const float step = std::nextafter(farthest, std::numeric_limits<float>::infinity()) - farthest;
+    float smallest = std::numeric_limits<float>::infinity();
+    std::string which;
+    for (const World::Object& object : world.objects) {
+        const float size = object.bounds.empty() ? 0.f : max_component(object.bounds.size());
+        if (size > 0.f && size < smallest) {
+            smallest = size;
+            which = object.name;
+        }
+    }
+    if (step > coarsest * smallest) {
+        warnings.push_back(fmt::format(
+            "coordinates reach {:g}, where a float's steps are {:g}: that is {:.2g} of the size of "
+            "{} ({:g}); move the scene to the origin",
+            farthest, step, step / smallest, in_quotes(which), smallest));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> scene_warnings(const Scene& scene, const World& world) {
+    std::vector<std::string> warnings;
+    warn_of_triangles(world, warnings);
+    warn_of_precision(world, warnings);
+    if (effects_of(scene) == Effects{}) {
+        warnings.push_back("the picture is black: no light, no emitter, and a black environment");
+    }
+    return warnings;
+}
+
+}  // namespace plumbline
