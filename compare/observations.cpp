@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/observations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenes/errors.h"
+
+namespace plumbline::compare {
+
+namespace {
+
+constexpr double most_fitted_pixels = 20000;
+/// Variances are kept at least at this share of their mean ...
+constexpr double least_variance_share = 1e-3;
+/// ... and standard deviations at this share of the layer's root mean square.
+constexpr double least_deviation_share = 1e-6;
+
+ThesisPicture picture_of(const FitCase& fit_case) {
+    const Image& reference = *fit_case.reference;
+    for (const char* layer : {"indirect", "variance_indirect"})
+        if (!reference.has_layer(layer))
+            throw FitError(reference.source.empty() ? fit_case.scene->name : reference.source,
+                           std::string("no layer '") + layer + "' to fit to",
+                           "render the reference with `plumbline render`");
+    return {*fit_case.scene, fit_case.frame, reference.width(), reference.height()};
+}
+
+bool finite(const std::array<std::span<const float>, 3>& layer, std::size_t i) {
+    return std::isfinite(layer[0][i]) && std::isfinite(layer[1][i]) && std::isfinite(layer[2][i]);
+}
+
+/// Sums that a gain needs.
+struct Products {
+    double mm = 0, mr = 0, rr = 0, n = 0;
+};
+
+}  // namespace
+
+Observations::Observations(const FitCase& fit_case) : picture_(picture_of(fit_case)) {
+    const Image& reference = *fit_case.reference;
+    const auto indirect = reference.layer("indirect");
+    const auto variance = reference.layer("variance_indirect");
+    const std::size_t width = std::size_t(reference.width());
+    const double pixels_per_fitted = double(reference.pixels()) / most_fitted_pixels;
+    const auto step = std::size_t(std::ceil(std::sqrt(std::max(1.0, pixels_per_fitted))));
+    double largest = 0;
+    for (std::size_t i = 0; i < reference.pixels(); ++i) {
+        if (!finite(indirect, i) || !finite(variance, i)) continue;
+        const bool fitted = i % width % step == step / 2 && i / width % step == step / 2;
+        all_pixels_.push_back(std::uint32_t(i));
+        if (fitted) pixels_.push_back(std::uint32_t(i));
+        for (std::size_t c = 0; c < 3; ++c) {
+            all_radiance_.push_back(double(indirect[c][i]));
+            largest = std::max(largest, all_radiance_.back());
+            if (!fitted) continue;
+            radiance_.push_back(double(indirect[c][i]));
+            variance_.push_back(double(variance[c][i]));
+        }
+    }
+    if (pixels_.empty() || largest <= 0)
+        throw FitError(reference.source.empty() ? fit_case.scene->name : reference.source,
+                       "the indirect layer is black or not finite", "there is nothing to fit to");
+    keep_variances_positive();
+}
+
+void Observations::keep_variances_positive() {
+    double mean_variance = 0, mean_square = 0;
+    for (double v : variance_) mean_variance += std::max(v, 0.0) / double(variance_.size());
+    for (double r : all_radiance_) mean_square += r * r / double(all_radiance_.size());
+    const double least = std::max(least_variance_share * mean_variance,
+                                  least_deviation_share * least_deviation_share * mean_square);
+    for (double& v : variance_) v = std::max(v, least);
+}
+
+BestGain best_gain(const std::vector<Observations>& cases) {
+    Products sums;
+    std::vector<std::vector<double>> models;
+    for (const Observations& one : cases) {
+        models.push_back(
+            one.picture().indirect<double>(one.picture().published(), one.all_pixels()));
+        for (std::size_t i = 0; i < models.back().size(); ++i) {
+            const double m = models.back()[i], r = one.all_radiance()[i];
+            sums.mm += m * m;
+            sums.mr += m * r;
+            sums.rr += r * r;
+            sums.n += 1;
+        }
+    }
+    if (!(sums.mm > 0))
+        throw FitError("thesis", "the published picture is black, so no gain can fit",
+                       "set bounceAttenuation and probeBrightness above 0");
+    const double gain = sums.mr / sums.mm;
+    double squares = 0, weighted = 0, before = 0;
+    for (std::size_t k = 0; k < cases.size(); ++k)
+        for (std::size_t i = 0; i < models[k].size(); ++i) {
+            const double m = models[k][i], r = cases[k].all_radiance()[i];
+            squares += (r - gain * m) * (r - gain * m);
+            weighted += m * m * (r - gain * m) * (r - gain * m);
+            before += (r - m) * (r - m);
+        }
+    return {gain, std::sqrt(weighted) / sums.mm, std::sqrt(before / sums.n),
+            std::sqrt(squares / sums.n)};
+}
+
+double rmse_at(std::span<const Observations> cases, const Constants<double>& constants) {
+    double squares = 0, n = 0;
+    for (const Observations& one : cases) {
+        const auto model = one.picture().indirect<double>(constants, one.all_pixels());
+        for (std::size_t i = 0; i < model.size(); ++i) {
+            const double d = model[i] - one.all_radiance()[i];
+            squares += d * d;
+            n += 1;
+        }
+    }
+    return std::sqrt(squares / n);
+}
+
+}  // namespace plumbline::compare

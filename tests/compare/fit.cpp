@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/fit.h"
+
+#include <ceres/jet.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "compare/indirect_residual.h"
+#include "ddgi/render.h"
+#include "scenes/errors.h"
+#include "scenes/scene_files.h"
+
+using namespace plumbline;
+using namespace plumbline::compare;
+
+namespace {
+
+constexpr int width = 64;
+constexpr int height = 36;
+
+/// The Cornell Box with an eighth of its probes.
+Scene small_scene() {
+    Scene scene = load_scene("cornell-box");
+    scene.camera.width = width;
+    scene.camera.height = height;
+    scene.probes->spacing *= 2;
+    scene.probes->counts = (scene.probes->counts - 1) / 2 + 1;
+    scene.thesis->falloffRegulator *= 4;
+    return scene;
+}
+
+std::vector<std::uint32_t> every_pixel() {
+    std::vector<std::uint32_t> pixels(width * height);
+    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = std::uint32_t(i);
+    return pixels;
+}
+
+/// What the model itself shows at these constants, with Gaussian noise of a known variance.
+Image synthetic_truth(const Scene& scene, const Constants<double>& constants, float sigma,
+                      unsigned seed) {
+    const ThesisPicture picture(scene, 0, width, height);
+    const auto radiance = picture.indirect<double>(constants, every_pixel());
+    Image truth(width, height);
+    const auto indirect = truth.layer("indirect"), variance = truth.layer("variance_indirect");
+    std::mt19937 random(seed);
+    std::normal_distribution<float> normal;
+    for (std::size_t i = 0; i < truth.pixels(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float s = sigma * (0.5f + float(i % width) / width);
+            indirect[c][i] = float(radiance[i * 3 + c]) + s * normal(random);
+            variance[c][i] = s * s;
+        }
+    return truth;
+}
+
+const FittedConstant& constant(const FitResult& result, const std::string& name) {
+    for (const FittedConstant& one : result.constants)
+        if (one.name == name) return one;
+    throw std::out_of_range(name);
+}
+
+}  // namespace
+
+TEST_CASE("the fit's picture is the renderer's", "[compare][fit]") {
+    const Scene scene = small_scene();
+    ddgi::DdgiOptions options;
+    options.model = "thesis";
+    options.updates = 200;
+    const Image rendered = ddgi::render(scene, 0, options).image;
+    const ThesisPicture picture(scene, 0, width, height);
+    const auto fitted = picture.indirect<double>(picture.published(), every_pixel());
+    const auto indirect = rendered.layer("indirect");
+    double largest = 0;
+    for (double value : fitted) largest = std::max(largest, value);
+    REQUIRE(largest > 0.01);
+    for (std::size_t i = 0; i < rendered.pixels(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            REQUIRE(fitted[i * 3 + c] ==
+                    Approx(double(indirect[c][i])).margin(1e-5 * largest).epsilon(1e-5));
+}
+
+TEST_CASE("derivatives of the residuals equal finite differences", "[compare][fit]") {
+    const Scene scene = small_scene();
+    // At the second point lit surfels are clamped: the derivatives must know.
+    const Constants<double> at =
+        GENERATE(Constants<double>{2500, 0.1, 20}, Constants<double>{1000, 2.1, 7});
+    const Image truth = synthetic_truth(scene, {2000, 0.2, 30}, 0.01f, 1);
+    const Observations observations(FitCase{&scene, 0, &truth});
+    const IndirectResidual residual{observations, 1e-4};
+    const std::size_t count = observations.radiance().size();
+    using Jet = ceres::Jet<double, 3>;
+    const std::array<Jet, 3> jets{Jet(at[0], 0), Jet(at[1], 1), Jet(at[2], 2)};
+    std::vector<Jet> dual(count);
+    residual(jets.data(), dual.data());
+    for (int k = 0; k < 3; ++k) {
+        const double step = 1e-4 * at[std::size_t(k)];
+        Constants<double> above = at, below = at;
+        above[std::size_t(k)] += step;
+        below[std::size_t(k)] -= step;
+        std::vector<double> up(count), down(count);
+        residual(above.data(), up.data());
+        residual(below.data(), down.data());
+        double largest = 0, error = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            largest = std::max(largest, std::abs(dual[i].v[k]));
+            error = std::max(error, std::abs(dual[i].v[k] - (up[i] - down[i]) / (2 * step)));
+        }
+        INFO("constant " << constant_names[std::size_t(k)]);
+        CHECK(largest > 0);
+        CHECK(error < 1e-4 * largest);
+    }
+}
+
+TEST_CASE("a fit recovers the constants of a synthetic truth within its standard errors",
+          "[compare][fit]") {
+    const Scene scene = small_scene();
+    const Constants<double> true_constants{2000, 0.105, 60};
+    double falloff_z2 = 0, product_z2 = 0;
+    constexpr int trials = 8;
+    for (unsigned seed = 0; seed < trials; ++seed) {
+        const Image truth = synthetic_truth(scene, true_constants, 0.02f, seed);
+        const FitResult result = fit({{&scene, 0, &truth}});
+        const FittedConstant& falloff = constant(result, "falloffRegulator");
+        REQUIRE(falloff.identifiable);
+        REQUIRE(result.combinations.size() == 1);
+        const KnownCombination& product = result.combinations[0];
+        falloff_z2 += std::pow((falloff.value - 2000) / falloff.standard_error, 2);
+        product_z2 += std::pow((product.value - 0.105 * 60) / product.standard_error, 2);
+        CHECK(falloff.standard_error < 20);
+        CHECK(product.standard_error < 0.05);
+        CHECK(result.reduced_chi_square == Approx(1).margin(0.1));
+        CHECK(result.rmse_after < 0.7 * result.rmse_before);
+    }
+    // Sums of eight squared standard Gaussians: below 20 in 99 % of cases, above 1.6 as often.
+    CHECK(falloff_z2 < 20);
+    CHECK(product_z2 < 20);
+    CHECK(falloff_z2 > 1.6);
+    CHECK(product_z2 > 1.6);
+}
+
+TEST_CASE("factors that act only as a product are called not identifiable", "[compare][fit]") {
+    const Scene scene = small_scene();
+    const Image truth = synthetic_truth(scene, {2000, 0.105, 60}, 0.01f, 3);
+    const FitResult result = fit({{&scene, 0, &truth}});
+    for (const char* name : {"bounceAttenuation", "probeBrightness"}) {
+        CHECK_FALSE(constant(result, name).identifiable);
+        CHECK(std::isinf(constant(result, name).standard_error));
+    }
+    CHECK(constant(result, "bounceAttenuation").value == Approx(0.105));  // kept as published
+    CHECK(result.combinations.at(0).expression == "bounceAttenuation x probeBrightness");
+    REQUIRE_FALSE(result.notes.empty());
+    CHECK_THAT(result.notes[0], Catch::Contains("only as their product"));
+}
+
+TEST_CASE("where surfels are clamped, factors can be told apart", "[compare][fit]") {
+    Scene scene = small_scene();
+    // Of surfaces with albedo 1 the clamp takes some light from 1 on, of all from 1.43 on.
+    scene.thesis->bounceAttenuation = 1.5f;
+    const Image truth = synthetic_truth(scene, {2000, 1.6, 3}, 0.005f, 4);
+    const FitResult result = fit({{&scene, 0, &truth}});
+    CHECK(result.combinations.empty());
+    const FittedConstant& attenuation = constant(result, "bounceAttenuation");
+    const FittedConstant& brightness = constant(result, "probeBrightness");
+    for(auto&c:result.constants) { WARN(c.name<<" "<<c.value<<" +- "<<c.standard_error); } WARN(result.reduced_chi_square<<" misfit "<<result.misfit<<" rmse "<<result.rmse_after<<" before "<<result.rmse_before);
+    REQUIRE(attenuation.identifiable);
+    REQUIRE(brightness.identifiable);
+    CHECK(std::abs(attenuation.value - 1.6) < 3 * attenuation.standard_error);
+    CHECK(std::abs(brightness.value - 3) < 3 * brightness.standard_error);
+}
+
+TEST_CASE("the best gain is the least-squares scale of the published picture", "[compare][fit]") {
+    const Scene scene = small_scene();
+    Constants<double> brighter = ThesisPicture(scene, 0, width, height).published();
+    brighter[2] *= 7;
+    const Image truth = synthetic_truth(scene, brighter, 0.01f, 5);
+    const FitResult result = fit({{&scene, 0, &truth}});
+    CHECK(std::abs(result.gain - 7) < 3 * result.gain_standard_error);
+    CHECK(result.gain_standard_error < 0.02);
+    CHECK(result.rmse_gain == Approx(0.0104).epsilon(0.05));  // the noise that was added
+}
+
+TEST_CASE("a misfit that noise does not explain raises chi-square and widens errors",
+          "[compare][fit]") {
+    const Scene scene = small_scene();
+    Image truth = synthetic_truth(scene, {2000, 0.105, 60}, 0.01f, 6);
+    const FitResult exact = fit({{&scene, 0, &truth}});
+    CHECK(exact.misfit < 0.003);
+    for (auto& channel : truth.layer("indirect"))
+        for (std::size_t i = 0; i < channel.size(); ++i)
+            channel[i] += i % width < 20 ? 0.1f : -0.1f;
+    const FitResult wrong = fit({{&scene, 0, &truth}});
+    CHECK(wrong.reduced_chi_square > 20);
+    CHECK(wrong.misfit == Approx(0.1).epsilon(0.3));
+    CHECK(constant(wrong, "falloffRegulator").standard_error >
+          3 * constant(exact, "falloffRegulator").standard_error);
+    CHECK(wrong.rmse_after <= wrong.rmse_gain * 1.0001);
+}
+
+TEST_CASE("several scenes share constants, and each fit is tested on the others",
+          "[compare][fit]") {
+    const Scene a = small_scene();
+    Scene b = small_scene();
+    b.name = "other";
+    b.lights[0].position.x += 90;
+    const Image truth_a = synthetic_truth(a, {2000, 0.105, 60}, 0.01f, 7);
+    const Image truth_b = synthetic_truth(b, {2000, 0.105, 30}, 0.01f, 8);
+    const FitResult result = fit({{&a, 0, &truth_a}, {&b, 0, &truth_b}});
+    REQUIRE(result.transfer.size() == 4);
+    for (const TransferError& error : result.transfer)
+        if (error.fitted_on == error.tested_on)
+            CHECK(error.rmse == Approx(0.0104).epsilon(0.05));
+        else
+            CHECK(error.rmse > 0.02);
+    CHECK(constant(result, "probeBrightness").value > 31);
+    CHECK(constant(result, "probeBrightness").value < 59);
+}
+
+TEST_CASE("a fit to nothing is refused", "[compare][fit]") {
+    const Scene scene = small_scene();
+    CHECK_THROWS_AS(fit({}), FitError);
+    const Image none(width, height);
+    CHECK_THROWS_WITH(fit({{&scene, 0, &none}}), Catch::Contains("no layer 'indirect'"));
+    Image black(width, height);
+    black.layer("indirect");
+    black.layer("variance_indirect");
+    CHECK_THROWS_WITH(fit({{&scene, 0, &black}}), Catch::Contains("black"));
+}
