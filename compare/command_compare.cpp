@@ -68,7 +68,7 @@ void add_compare_command(CLI::App& app) {
     command
         .add_option("--fail-above", options->fail_above,
                     "METRIC=VALUE: exit with 1 if the metric is above the value")
-        ->take_all();
+        ->allow_extra_args(false);
     command.callback([options] { run(*options); });
 }
 

@@ -3,6 +3,8 @@
 
 namespace plumbline {
 
-void add_reports_commands(CLI::App&) {}
+void add_fit_command(CLI::App& app);
+
+void add_reports_commands(CLI::App& app) { add_fit_command(app); }
 
 }  // namespace plumbline

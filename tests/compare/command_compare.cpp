@@ -79,7 +79,7 @@ TEST_CASE("compare --fail-above exits with 1 and says which and by how much", "[
     const Ran ran = run(files, files.both + " --fail-above rmse=0.04 --fail-above mae=0.2");
     CHECK(ran.exit_code == 1);
     CHECK(ran.err == "plumbline: rmse is 0.1, above 0.04 by 0.06\n");
-    CHECK(run(files, files.both + " --fail-above rmse=0.2").exit_code == 0);
+    CHECK(run(files, "--fail-above rmse=0.2 " + files.both).exit_code == 0);
 }
 
 TEST_CASE("compare -o writes the maps as EXR and PNG", "[compare]") {

@@ -164,7 +164,6 @@ TEST_CASE("where surfels are clamped, factors can be told apart", "[compare][fit
     CHECK(result.combinations.empty());
     const FittedConstant& attenuation = constant(result, "bounceAttenuation");
     const FittedConstant& brightness = constant(result, "probeBrightness");
-    for(auto&c:result.constants) { WARN(c.name<<" "<<c.value<<" +- "<<c.standard_error); } WARN(result.reduced_chi_square<<" misfit "<<result.misfit<<" rmse "<<result.rmse_after<<" before "<<result.rmse_before);
     REQUIRE(attenuation.identifiable);
     REQUIRE(brightness.identifiable);
     CHECK(std::abs(attenuation.value - 1.6) < 3 * attenuation.standard_error);
