@@ -1,29 +1,85 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
+
+// Colour spaces as FLIP uses them, inline: each runs for every pixel at every exposure.
 
 namespace plumbline::compare {
 
 /// CIE XYZ of linear sRGB with D65 white, with the authors' matrix [Andersson et al. 2020].
-glm::vec3 xyz_from_linear_rgb(const glm::vec3& rgb);
-glm::vec3 linear_rgb_from_xyz(const glm::vec3& xyz);
+inline glm::vec3 xyz_from_linear_rgb(const glm::vec3& rgb) {
+    return {(10135552.f * rgb.r + 8788810.f * rgb.g + 4435075.f * rgb.b) / 24577794.f,
+            (2613072.f * rgb.r + 8788810.f * rgb.g + 887015.f * rgb.b) / 12288897.f,
+            (1425312.f * rgb.r + 8788810.f * rgb.g + 70074185.f * rgb.b) / 73733382.f};
+}
+inline glm::vec3 linear_rgb_from_xyz(const glm::vec3& xyz) {
+    return {3.241003275f * xyz.x - 1.537398934f * xyz.y - 0.498615861f * xyz.z,
+            -0.969224334f * xyz.x + 1.875930071f * xyz.y + 0.041554224f * xyz.z,
+            0.055639423f * xyz.x - 0.204011202f * xyz.y + 1.057148933f * xyz.z};
+}
+
+/// D65 white in XYZ: the row sums of the matrix; and its inverse.
+inline constexpr glm::vec3 white(0.950428545f, 1.f, 1.088900371f);
+inline constexpr glm::vec3 inverse_white(1.052156925f, 1.f, 0.918357670f);
 
 /// The linear opponent space in which contrast sensitivity is applied: Y in [-16, 100].
-glm::vec3 ycxcz_from_linear_rgb(const glm::vec3& rgb);
-glm::vec3 linear_rgb_from_ycxcz(const glm::vec3& ycxcz);
+inline glm::vec3 ycxcz_from_linear_rgb(const glm::vec3& rgb) {
+    const glm::vec3 v = xyz_from_linear_rgb(rgb) * inverse_white;
+    return {116.f * v.y - 16.f, 500.f * (v.x - v.y), 200.f * (v.y - v.z)};
+}
+inline glm::vec3 linear_rgb_from_ycxcz(const glm::vec3& ycxcz) {
+    const float y = (ycxcz.x + 16.f) / 116.f;
+    return linear_rgb_from_xyz(glm::vec3(y + ycxcz.y / 500.f, y, y - ycxcz.z / 200.f) * white);
+}
+
+/// The cube root of CIELAB with its linear toe.
+inline float lab_root(float t) {
+    constexpr float delta = 6.f / 29.f;
+    return t > delta * delta * delta ? std::cbrt(t) : t / (3.f * delta * delta) + 4.f / 29.f;
+}
 
 /// CIELAB with a* and b* scaled by L*/100: chroma is seen the less the darker it is
 /// [Hunt 1952, as used by Andersson et al. 2020].
-glm::vec3 hunt_lab_from_linear_rgb(const glm::vec3& rgb);
+inline glm::vec3 hunt_lab_from_linear_rgb(const glm::vec3& rgb) {
+    const glm::vec3 v = xyz_from_linear_rgb(rgb) * inverse_white;
+    const float x = lab_root(v.x), y = lab_root(v.y), z = lab_root(v.z);
+    const float L = 116.f * y - 16.f;
+    return {L, 0.01f * L * 500.f * (x - y), 0.01f * L * 200.f * (y - z)};
+}
 
 /// The distance for large colour differences [Abasi et al. 2020].
-float hyab(const glm::vec3& a, const glm::vec3& b);
+inline float hyab(const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 d = a - b;
+    return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
+}
 
-/// ACES filmic curve as rational polynomial [Narkowicz 2015], its pre-exposure of 0.6 cancelled;
-/// 2.51/2.43 at infinity.
-float tone_map_aces(float x);
-/// The x > 0 that tone_map_aces() takes to y, 0 < y < 1.
-double inverse_tone_map_aces(double y);
+/// ACES filmic curve (n2 x^2 + n1 x) / (d2 x^2 + d1 x + d0) [Narkowicz 2015], with the
+/// pre-exposure of 0.6 that its author built in cancelled.
+struct AcesCurve {
+    static constexpr double pre_exposure = 0.6;
+    static constexpr double n2 = pre_exposure * pre_exposure * 2.51, n1 = pre_exposure * 0.03;
+    static constexpr double d2 = pre_exposure * pre_exposure * 2.43, d1 = pre_exposure * 0.59;
+    static constexpr double d0 = 0.14;
+};
+
+/// The curve at x; n2/d2 at infinity.
+inline float tone_map_aces(float x) {
+    constexpr float n2 = float(AcesCurve::n2), n1 = float(AcesCurve::n1);
+    constexpr float d2 = float(AcesCurve::d2), d1 = float(AcesCurve::d1);
+    constexpr float d0 = float(AcesCurve::d0);
+    // Divided by x^2 beyond 1, lest very bright pixels become infinity over infinity.
+    if (std::abs(x) > 1.f) return (n2 + n1 / x) / (d2 + d1 / x + d0 / x / x);
+    return (n2 * x * x + n1 * x) / (d2 * x * x + d1 * x + d0);
+}
+
+/// The x > 0 that tone_map_aces() takes to y, 0 < y < 1: the positive root of
+/// (n2 - y d2) x^2 + (n1 - y d1) x - y d0 = 0.
+inline double inverse_tone_map_aces(double y) {
+    const double a = AcesCurve::n2 - y * AcesCurve::d2;
+    const double half_b = 0.5 * (AcesCurve::n1 - y * AcesCurve::d1), c = -y * AcesCurve::d0;
+    return (-half_b + std::sqrt(half_b * half_b - a * c)) / a;
+}
 
 }  // namespace plumbline::compare

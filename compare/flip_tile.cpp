@@ -59,8 +59,12 @@ struct OpponentTile {
 };
 
 /// Adds to out[0 .. width) the products of the kernel with in[k stride ...], k = 0, 1, ...
-void filter_row(const float* in, std::size_t stride, const std::vector<float>& kernel, float* out,
-                int width) {
+///
+/// Compiled for wide registers too, and chosen at run time; without fused multiply-add, so that
+/// the result has the same bits on every machine.
+[[gnu::target_clones("avx2", "default")]] void filter_row(const float* in, std::size_t stride,
+                                                          const std::vector<float>& kernel,
+                                                          float* out, int width) {
     for (int x = 0; x < width; x += lanes) {
         std::array<float, lanes> sum;
         std::copy_n(out + x, lanes, sum.begin());
