@@ -4,6 +4,7 @@
 #include <embree3/rtcore.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "scenes/errors.h"
@@ -71,6 +72,8 @@ RTCRay embree_ray(const glm::vec3& origin, const glm::vec3& direction, float t_m
     ray.dir_x = direction.x;
     ray.dir_y = direction.y;
     ray.dir_z = direction.z;
+    // Embree counts a surface at tnear as met; a point on a surface is not in front of it.
+    ray.tnear = std::numeric_limits<float>::min();
     ray.tfar = t_max;
     ray.mask = ~0u;
     return ray;

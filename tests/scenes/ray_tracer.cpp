@@ -47,6 +47,21 @@ TEST_CASE("a ray meets the front of a quad where it should", "[scenes][rays]") {
     CHECK(hit->n().y == Approx(1.f));
 }
 
+TEST_CASE("a ray that starts exactly on a surface does not meet it", "[scenes][rays]") {
+    // As do the rays of probes in a grid layer that is level with a block's top.
+    const World world = world_of(object_of(Box{{-1, 0, -1}, {1, 1, 1}, {}}), {});
+    const RayTracer tracer(world);
+    const glm::vec3 on_top(0.25f, 1.f, 0.5f);
+    const glm::vec3 down = glm::normalize(glm::vec3(0.3f, -0.8f, 0.1f));
+    CHECK_FALSE(tracer.intersect({on_top, down}, BackFaces::Cull));
+    CHECK_FALSE(tracer.intersect({on_top, -down}, BackFaces::Cull));
+    const auto inside = tracer.intersect({on_top, down}, BackFaces::Hit);
+    REQUIRE(inside);
+    CHECK(inside->back);
+    CHECK(inside->t == Approx(1.f / -down.y));
+    CHECK_FALSE(tracer.occluded(on_top, {0.25f, 3.f, 0.5f}));
+}
+
 TEST_CASE("the back of a surface is culled only if it is one-sided and culling is asked for",
           "[scenes][rays]") {
     const bool two_sided = GENERATE(false, true);
