@@ -16,22 +16,6 @@ namespace {
 
 const std::set<std::string> written_by_programs = {"build", "out"};
 
-/// What a shell command prints; empty if it fails.
-std::string output_of(const std::string& command) {
-    int status = -1;
-    std::string text;
-    {
-        const auto close = [&status](FILE* pipe) { status = pclose(pipe); };
-        const std::unique_ptr<FILE, decltype(close)> pipe(popen(command.c_str(), "r"), close);
-        if (!pipe) return {};
-        std::array<char, 4096> block;
-        for (std::size_t n = 0; (n = fread(block.data(), 1, block.size(), pipe.get())) > 0;) {
-            text.append(block.data(), n);
-        }
-    }
-    return status == 0 ? text : std::string();
-}
-
 }  // namespace
 
 std::string File::folder() const {
@@ -48,6 +32,21 @@ std::vector<std::string> File::lines() const {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) result.push_back(line);
     return result;
+}
+
+std::string output_of(const std::string& command) {
+    int status = -1;
+    std::string text;
+    {
+        const auto close = [&status](FILE* pipe) { status = pclose(pipe); };
+        const std::unique_ptr<FILE, decltype(close)> pipe(popen(command.c_str(), "r"), close);
+        if (!pipe) return {};
+        std::array<char, 4096> block;
+        for (std::size_t n = 0; (n = fread(block.data(), 1, block.size(), pipe.get())) > 0;) {
+            text.append(block.data(), n);
+        }
+    }
+    return status == 0 ? text : std::string();
 }
 
 File read_file(const fs::path& root, const std::string& path) {

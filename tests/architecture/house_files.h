@@ -33,6 +33,9 @@ struct File {
     std::vector<std::string> lines() const;
 };
 
+/// What a shell command prints on stdout; empty if it fails.
+std::string output_of(const std::string& command);
+
 /// The file `root`/`path`.
 File read_file(const std::filesystem::path& root, const std::string& path);
 

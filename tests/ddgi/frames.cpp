@@ -6,7 +6,7 @@
 #include "ddgi/render.h"
 #include "ddgi/volume.h"
 #include "scenes/errors.h"
-#include "small_scenes.h"
+#include "tests/ddgi/small_scenes.h"
 
 using namespace plumbline;
 using namespace plumbline::ddgi;

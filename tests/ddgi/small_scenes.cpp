@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "small_scenes.h"
+#include "tests/ddgi/small_scenes.h"
 
 #include <algorithm>
 #include <cstring>
