@@ -24,7 +24,7 @@ inline glm::vec3 sample_cosine_hemisphere(const glm::vec2& u, const glm::vec3& n
     const float b = n.x * n.y * a;
     const glm::vec3 tangent(1.f + sign * n.x * n.x * a, sign * b, -sign * n.x);
     const glm::vec3 bitangent(b, sign + n.y * n.y * a, -n.y);
-    return glm::normalize(tangent * x + bitangent * y + n * z);
+    return tangent * x + bitangent * y + n * z;
 }
 
 /// Density of sample_cosine_hemisphere() per unit of solid angle, for a cosine with `n`.

@@ -40,10 +40,12 @@ struct Path {
     }
 };
 
-/// Radiance that the surface at `hit` scatters from the point lights, seen from its side n().
-inline Spectrum scattered_from_lights(const RayTracer& tracer, const Hit& hit, unsigned& rays) {
+/// Radiance that the surface at `hit` scatters from the point lights, seen from its side n();
+/// shadow rays start at `origin`.
+template <typename Tracer>
+Spectrum scattered_from_lights(const Tracer& tracer, const Hit& hit, const glm::vec3& origin,
+                               unsigned& rays) {
     const glm::vec3 n = hit.n();
-    const glm::vec3 origin = offset_origin(hit, n);
     Spectrum E(0.f);
     for (const PointLight& light : tracer.world().lights) {
         const glm::vec3 to_light = light.position - hit.position;
@@ -62,9 +64,10 @@ inline Spectrum scattered_from_lights(const RayTracer& tracer, const Hit& hit, u
 /// scattered at most `options.max_scatterings` times. Point lights are sampled at every surface;
 /// emission and environment count where a path meets them.
 ///
-/// Code for an effect outside F is compiled out; F must cover effects_of() the scene.
-template <Effects F>
-Path trace_path(const RayTracer& tracer, Ray ray, Sampler& sampler, const PathOptions& options) {
+/// Code for an effect outside F is compiled out; F must cover effects_of() the scene. `tracer` is a
+/// RayTracer, or answers like one.
+template <Effects F, typename Tracer>
+Path trace_path(const Tracer& tracer, Ray ray, Sampler& sampler, const PathOptions& options) {
     constexpr bool surfaces_or_sky_shine = has(F, Effect::Emission) || has(F, Effect::Environment);
     const World& world = tracer.world();
     Path path;
@@ -85,15 +88,19 @@ Path trace_path(const RayTracer& tracer, Ray ray, Sampler& sampler, const PathOp
 
         if constexpr (has(F, Effect::Emission)) path.add(scatterings, beta * material.emission);
         if (scatterings == options.max_scatterings) return path;
+        // Cosine-weighted sampling cancels f cos(theta) / pdf = (rho/pi) cos / (cos/pi) to rho.
+        // Drawn ahead of the shadow rays, whose traversal hides how long it takes.
+        const glm::vec3 n = hit->n();
+        const glm::vec3 origin = offset_origin(*hit, n);
+        const glm::vec3 wi = sample_cosine_hemisphere(sampler.next_2d(), n);
+
         if constexpr (has(F, Effect::PointLights)) {
-            path.add(scatterings + 1, beta * scattered_from_lights(tracer, *hit, path.rays));
+            path.add(scatterings + 1,
+                     beta * scattered_from_lights(tracer, *hit, origin, path.rays));
         }
         // Without these, nothing that the last ray could meet would count.
         if (!surfaces_or_sky_shine && scatterings + 1 == options.max_scatterings) return path;
 
-        // Cosine-weighted sampling cancels f cos(theta) / pdf = (rho/pi) cos / (cos/pi) to rho.
-        const glm::vec3 n = hit->n();
-        const glm::vec3 wi = sample_cosine_hemisphere(sampler.next_2d(), n);
         beta *= hit->albedo;
         if (max_component(beta) == 0.f) return path;
         if (options.roulette && scatterings + 1 >= options.roulette_start) {
@@ -103,7 +110,7 @@ Path trace_path(const RayTracer& tracer, Ray ray, Sampler& sampler, const PathOp
             if (sampler.next_1d() >= survival) return path;
             beta /= survival;
         }
-        ray = {offset_origin(*hit, n), wi};
+        ray = {origin, wi};
     }
 }
 

@@ -102,6 +102,47 @@ TEST_CASE("pairs of dimensions are independent of each other", "[pathtracer][sam
     }
 }
 
+TEST_CASE("pairs of dimensions take the points of a batch in orders of their own",
+          "[pathtracer][sampler]") {
+    // Of each two points that follow each other in the Sobol sequence, one lies in either half. So
+    // with orders that keep such twos but are random else, the points in the lower halves of two
+    // pairs of dimensions at once are binomial: 8 trials of 1/2, variance 2. In one shared order
+    // there would be 0 or 8, and the four dimensions would be filled badly.
+    constexpr int batches = 4'000;
+    double squares = 0.;
+    for (int batch = 0; batch < batches; ++batch) {
+        int both = 0;
+        for (int i = 0; i < Sampler::batch_size; ++i) {
+            const auto p = points(pixel_key(2, batch, 0), i);
+            both += p[3].x < .5f && p[4].x < .5f ? 1 : 0;
+        }
+        squares += (both - 4.) * (both - 4.);
+    }
+    // The square's own variance is 7 (the fourth central moment of that binomial, 11, less 4).
+    CHECK(std::abs(squares / batches - 2.) < 4. * std::sqrt(7. / batches));
+}
+
+TEST_CASE("both axes of a pair of dimensions are scrambled", "[pathtracer][sampler]") {
+    // The points in the first and third sixteenth along one axis share a half along the other as
+    // often as not: which of them do is what scrambling the axis decides.
+    constexpr int batches = 4'000;
+    for (const int axis : {0, 1}) {
+        int shared = 0;
+        for (int batch = 0; batch < batches; ++batch) {
+            float first = 0.f;
+            float third = 0.f;
+            for (int i = 0; i < Sampler::batch_size; ++i) {
+                const glm::vec2 p = points(pixel_key(4, batch, 0), i)[1];
+                const int sixteenth = int(p[axis] * 16.f);
+                if (sixteenth == 0) first = p[1 - axis];
+                if (sixteenth == 2) third = p[1 - axis];
+            }
+            shared += (first < .5f) == (third < .5f) ? 1 : 0;
+        }
+        CHECK(std::abs(shared - batches / 2.) < 4. * std::sqrt(batches / 4.));
+    }
+}
+
 TEST_CASE("pixels, batches and seeds are independent of each other", "[pathtracer][sampler]") {
     const double limit = test::sidak_limit(4);
     const auto x_of = [](std::uint64_t seed, int x, int y, int sample) {
