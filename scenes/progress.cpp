@@ -25,7 +25,7 @@ std::string clock_text(double seconds) {
 Progress::Progress(std::string label, std::uint64_t total)
     : label_(std::move(label)),
       total_(std::max<std::uint64_t>(total, 1)),
-      visible_(!silenced && ::isatty(STDERR_FILENO) != 0),
+      visible_(visible()),
       start_(std::chrono::steady_clock::now()) {}
 
 Progress::~Progress() {
@@ -33,6 +33,8 @@ Progress::~Progress() {
 }
 
 void Progress::silence() { silenced = true; }
+
+bool Progress::visible() { return !silenced && ::isatty(STDERR_FILENO) != 0; }
 
 void Progress::advance(std::uint64_t steps) {
     const std::uint64_t done = done_.fetch_add(steps, std::memory_order_relaxed) + steps;

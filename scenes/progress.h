@@ -22,6 +22,8 @@ class Progress {
 
     /// Silences every bar of this process (--quiet).
     static void silence();
+    /// True on a terminal that nobody silenced.
+    static bool visible();
 
  private:
     void draw(std::uint64_t done);
