@@ -20,6 +20,7 @@ struct CompareOptions {
     std::string reference;
     std::string test;
     std::string layer;
+    FlipOptions flip;
     std::string folder;
     bool json = false;
     std::vector<std::string> fail_above;
@@ -39,7 +40,7 @@ void run(const CompareOptions& options) {
 
     const Image reference = read_image(options.reference);
     const Image test = read_image(options.test);
-    const Comparison comparison = compare_images(reference, test, options.layer);
+    const Comparison comparison = compare_images(reference, test, options.layer, options.flip);
     warn_of_non_finite(comparison);
     if (!options.folder.empty()) write_error_maps(options.folder, reference, test, comparison);
     if (options.json)
@@ -69,6 +70,14 @@ void add_compare_command(CLI::App& app) {
         .add_option("--fail-above", options->fail_above,
                     "METRIC=VALUE: exit with 1 if the metric is above the value")
         ->allow_extra_args(false);
+    command
+        .add_option("--pixels-per-degree", options->flip.pixels_per_degree,
+                    "How large FLIP's viewer sees the picture (default: 67.02)")
+        ->check(CLI::Range(1., 1000.));
+    command.add_option("--start-exposure", options->flip.start_exposure,
+                       "First exposure of HDR-FLIP, stops (default: from the reference)");
+    command.add_option("--stop-exposure", options->flip.stop_exposure,
+                       "Last exposure of HDR-FLIP, stops (default: from the reference)");
     command.callback([options] { run(*options); });
 }
 

@@ -12,17 +12,19 @@ bool was_integer(const Image& image) { return image.metadata.contains("plumbline
 
 }  // namespace
 
-Comparison compare_images(const Image& reference, const Image& test, const std::string& layer) {
+Comparison compare_images(const Image& reference, const Image& test, const std::string& layer,
+                          const FlipOptions& flip) {
     const LayerPair pair = pair_layers(reference, test, layer);
     Comparison comparison;
     comparison.layer = layer;
+    comparison.pixels_per_degree = flip.pixels_per_degree;
     comparison.metrics = pixel_metrics(pair);
     comparison.metrics.ssim = ssim(pair);
     if (was_integer(reference) && was_integer(test)) {
         comparison.flip_variant = FlipVariant::Ldr;
-        comparison.flip = ldr_flip(pair);
+        comparison.flip = ldr_flip(pair, flip);
     } else {
-        comparison.flip = hdr_flip(pair);
+        comparison.flip = hdr_flip(pair, flip);
     }
     if (comparison.flip) comparison.metrics.flip = comparison.flip->mean;
     comparison.noise = split_noise(reference, test, pair);

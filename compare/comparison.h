@@ -27,6 +27,7 @@ struct Comparison {
     std::optional<NoiseSplit> noise;  ///< none: neither image has a variance layer
     std::vector<ScaleError> scales;
     FlipVariant flip_variant = FlipVariant::Hdr;
+    double pixels_per_degree = 0;
     std::optional<FlipResult> flip;  ///< with its map; none as Metrics::flip
     std::size_t non_finite = 0;      ///< values that are not finite in either; their pixels are
                                      ///< left out of everything above
@@ -36,6 +37,7 @@ struct Comparison {
 
 /// Compares a layer ("" is radiance) of two images of the same size.
 /// Throws ImageError if sizes differ, a layer is missing, or no pixel is finite in both.
-Comparison compare_images(const Image& reference, const Image& test, const std::string& layer);
+Comparison compare_images(const Image& reference, const Image& test, const std::string& layer,
+                          const FlipOptions& flip = {});
 
 }  // namespace plumbline::compare

@@ -35,8 +35,9 @@ ordered_json flip_json(const Comparison& comparison) {
     if (!comparison.flip) return nullptr;
     const FlipResult& flip = *comparison.flip;
     if (comparison.flip_variant == FlipVariant::Ldr)
-        return ordered_json::object({{"variant", "LDR"}});
+        return {{"variant", "LDR"}, {"pixels_per_degree", comparison.pixels_per_degree}};
     return {{"variant", "HDR"},
+            {"pixels_per_degree", comparison.pixels_per_degree},
             {"tone_mapper", "ACES"},
             {"start_exposure", flip.start_exposure},
             {"stop_exposure", flip.stop_exposure},

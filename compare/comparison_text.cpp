@@ -38,6 +38,12 @@ std::string scales_text(const std::vector<ScaleError>& scales) {
     return text;
 }
 
+std::string exposures_text(const Comparison& comparison) {
+    if (comparison.flip_variant == FlipVariant::Ldr) return "";
+    return fmt::format(", {} exposures from {:.4f} to {:.4f} stops", comparison.flip->exposures,
+                       comparison.flip->start_exposure, comparison.flip->stop_exposure);
+}
+
 }  // namespace
 
 std::string to_text(const Comparison& comparison) {
@@ -45,10 +51,9 @@ std::string to_text(const Comparison& comparison) {
     for (const MetricDescription& metric : metric_descriptions())
         text += fmt::format("{:<8} {:<13} {}\n", metric.name,
                             shown(metric.value(comparison.metrics)), metric.formula);
-    if (comparison.flip && comparison.flip_variant == FlipVariant::Hdr)
-        text += fmt::format("{:<22} {} exposures from {:.4f} to {:.4f} stops\n", "",
-                            comparison.flip->exposures, comparison.flip->start_exposure,
-                            comparison.flip->stop_exposure);
+    if (comparison.flip)
+        text += fmt::format("{:<22} at {:.4g} pixels per degree{}\n", "",
+                            comparison.pixels_per_degree, exposures_text(comparison));
     return text + "\n" + noise_text(comparison.noise) + scales_text(comparison.scales);
 }
 

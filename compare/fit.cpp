@@ -24,10 +24,11 @@ constexpr double most_brightness = 1e9;
 /// Rounds of fitting constants and misfit in turn, and the relative change of tau that ends them.
 constexpr int most_rounds = 10;
 constexpr double settled_misfit = 0.01;
+constexpr int bisections = 60;
 
 struct Solution {
     Constants<double> constants;
-    std::vector<double> misfit;  ///< tau^2, one a case
+    double misfit = 0;  ///< tau^2
     Identifiability verdict;
     double chi_square = 0;  ///< with noise alone
     double degrees_of_freedom = 0;
@@ -50,7 +51,7 @@ void solve(std::span<const Observations> cases, Solution& solution) {
     ceres::Problem problem;
     double* constants = solution.constants.data();
     for (std::size_t k = 0; k < cases.size(); ++k)
-        problem.AddResidualBlock(IndirectResidual::cost_function(cases[k], solution.misfit[k]),
+        problem.AddResidualBlock(IndirectResidual::cost_function(cases[k], solution.misfit),
                                  nullptr, constants);
     const Constants<double> upper = upper_bounds(cases);
     const Constants<double> lower{0, least_scale, least_scale};
@@ -74,43 +75,54 @@ void solve(std::span<const Observations> cases, Solution& solution) {
                        "check that the reference shows the same scene and frame");
 }
 
-/// tau^2 such that sum e^2 / (s^2 + tau^2) = degrees of freedom; 0 if noise suffices.
-double misfit_of(const Observations& one, const std::vector<double>& errors) {
+/// What the fit leaves of each value, with the reference's noise.
+struct Errors {
+    std::vector<double> squared, variance;
+};
+
+Errors errors_at(std::span<const Observations> cases, const Constants<double>& constants) {
+    Errors errors;
+    for (const Observations& one : cases) {
+        for (double e : model_errors(one, constants)) errors.squared.push_back(e * e);
+        errors.variance.insert(errors.variance.end(), one.variance().begin(), one.variance().end());
+    }
+    return errors;
+}
+
+/// tau^2 such that the mean of e^2 / (s^2 + tau^2) is 1; 0 if noise suffices.
+double misfit_of(const Errors& errors) {
     const auto excess = [&](double tau2) {
         double sum = 0;
-        for (std::size_t i = 0; i < errors.size(); ++i)
-            sum += errors[i] * errors[i] / (one.variance()[i] + tau2);
-        return sum / double(errors.size()) - 1;
+        for (std::size_t i = 0; i < errors.squared.size(); ++i)
+            sum += errors.squared[i] / (errors.variance[i] + tau2);
+        return sum / double(errors.squared.size()) - 1;
     };
     if (excess(0) <= 0) return 0;
-    double low = 0, high = 0;
-    for (double e : errors) high = std::max(high, e * e);
-    for (int step = 0; step < 60; ++step)
-        (excess(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+    double low = 0, high = *std::max_element(errors.squared.begin(), errors.squared.end());
+    for (int step = 0; step < bisections; ++step) {
+        const double middle = 0.5 * (low + high);
+        (excess(middle) > 0 ? low : high) = middle;
+    }
     return high;
 }
 
 /// Takes the misfit from the errors at the solution; whether it settled.
 bool update_misfit(std::span<const Observations> cases, Solution& solution) {
-    bool settled = true;
-    solution.chi_square = solution.degrees_of_freedom = 0;
-    for (std::size_t k = 0; k < cases.size(); ++k) {
-        const std::vector<double> errors = model_errors(cases[k], solution.constants);
-        const double tau2 = misfit_of(cases[k], errors);
-        const double change = std::abs(std::sqrt(tau2) - std::sqrt(solution.misfit[k]));
-        settled = settled && change <= settled_misfit * std::sqrt(tau2);
-        solution.misfit[k] = tau2;
-        for (std::size_t i = 0; i < errors.size(); ++i)
-            solution.chi_square += errors[i] * errors[i] / cases[k].variance()[i];
-        solution.degrees_of_freedom += double(errors.size());
-    }
+    const Errors errors = errors_at(cases, solution.constants);
+    const double tau = std::sqrt(misfit_of(errors));
+    const bool settled = std::abs(tau - std::sqrt(solution.misfit)) <= settled_misfit * tau;
+    solution.misfit = tau * tau;
+    solution.chi_square = 0;
+    for (std::size_t i = 0; i < errors.squared.size(); ++i)
+        solution.chi_square += errors.squared[i] / errors.variance[i];
+    solution.degrees_of_freedom = double(errors.squared.size());
     return settled;
 }
 
 void judge_solution(std::span<const Observations> cases, Solution& solution) {
     NormalMatrix normal = NormalMatrix::Zero();
     for (std::size_t k = 0; k < cases.size(); ++k)
-        normal += normal_matrix(cases[k], solution.misfit[k], solution.constants);
+        normal += normal_matrix(cases[k], solution.misfit, solution.constants);
     solution.verdict = judge(normal, solution.constants, scale_of(cases, solution.constants));
 }
 
@@ -121,7 +133,6 @@ Solution fit_cases(std::span<const Observations> cases) {
     for (std::size_t k = 0; k < upper.size(); ++k)
         solution.constants[k] =
             std::clamp(solution.constants[k], k == 0 ? 0 : least_scale, upper[k]);
-    solution.misfit.assign(cases.size(), 0);
     update_misfit(cases, solution);
     judge_solution(cases, solution);
     for (int round = 0; round < most_rounds; ++round) {
@@ -180,8 +191,7 @@ FitResult fit(const std::vector<FitCase>& cases) {
     result.rmse_gain = gain.rmse;
     result.notes = solution.verdict.notes;
     result.combinations = solution.verdict.combinations;
-    for (double tau2 : solution.misfit) result.misfit += tau2 / double(cases.size());
-    result.misfit = std::sqrt(result.misfit);
+    result.misfit = std::sqrt(solution.misfit);
     note_bounds(observations, solution, result);
     if (cases.size() > 1) add_transfer(cases, observations, result);
     return result;

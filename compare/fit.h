@@ -58,8 +58,8 @@ struct FitResult {
 ///
 /// falloffRegulator, bounceAttenuation and probeBrightness are free. Residual: (E_model - E_ref) /
 /// sqrt(s^2 + tau^2) per pixel and channel, where s^2 is the reference's variance of the mean and
-/// tau, one a case, is the model's misfit, chosen so that the residuals have unit variance; 0 if
-/// noise explains them. Noise weights alone would let the darkest pixels, where noise is least,
+/// tau is the model's misfit, chosen so that the residuals have unit variance; 0 if noise explains
+/// them. Noise weights alone would let the darkest pixels, where noise is least,
 /// decide between constants none of which is right. s^2 is kept at least at 1e-3 of its mean and at
 /// (1e-6 of the layer's root mean square)^2: a pixel that happened to see no light has an estimated
 /// variance of zero and would divide by it. At most about 20,000 pixels of a lattice are

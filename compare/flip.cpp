@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/flip.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "compare/flip_color.h"
 #include "compare/flip_tile.h"
 #include "compare/row_sums.h"
+#include "scenes/errors.h"
 
 namespace plumbline::compare {
 
@@ -103,7 +106,10 @@ std::optional<FlipResult> hdr_flip(const LayerPair& pair, const FlipOptions& opt
     const double start =
         options.start_exposure.value_or(std::log2(exposed / double(range.largest)));
     const double stop = options.stop_exposure.value_or(std::log2(exposed / double(range.median)));
-    if (stop < start) return std::nullopt;
+    if (!(start <= stop) || !std::isfinite(start) || !std::isfinite(stop))
+        throw UsageError("--start-exposure, --stop-exposure",
+                         fmt::format("no exposure lies from {:.4g} to {:.4g} stops", start, stop),
+                         "start below the stop");
     const int count = std::max(2, int(std::ceil(stop - start)));
     std::vector<Display> displays;
     for (int i = 0; i < count; ++i)

@@ -44,8 +44,8 @@ FlipResult ldr_flip(const LayerPair& pair, const FlipOptions& options = {});
 /// The exposures run from log2(x / largest) to log2(x / median luminance of the reference), where
 /// x is tone-mapped to 0.85, in max(2, ceil(stop - start)) even steps. Where the median is not
 /// positive, and the authors' stop exposure is infinite, the median of the positive luminances
-/// takes its place. None if no luminance of the reference is positive, or if options have the
-/// stop before the start.
+/// takes its place. None if no luminance of the reference is positive.
+/// Throws UsageError if the stop is before the start.
 std::optional<FlipResult> hdr_flip(const LayerPair& pair, const FlipOptions& options = {});
 
 }  // namespace plumbline::compare

@@ -75,7 +75,7 @@ const std::vector<MetricDescription>& metric_descriptions() {
          [](const Metrics& m) { return Value(m.psnr_db); }},
         {"ssim", "mean SSIM of sRGB luma clamped to [0,1], 11x11 Gaussian, sigma 1.5",
          [](const Metrics& m) { return m.ssim; }},
-        {"flip", "mean FLIP at 67 pixels per degree (HDR with ACES for float, LDR for 8-bit)",
+        {"flip", "mean FLIP (HDR with ACES for float, LDR for 8-bit)",
          [](const Metrics& m) { return m.flip; }},
     };
     return descriptions;

@@ -21,7 +21,8 @@ namespace {
 constexpr int width = 64;
 constexpr int height = 36;
 
-/// The Cornell Box with an eighth of its probes.
+/// The Cornell Box with an eighth of its probes. They see little of the walls, one cell away at
+/// most, so the probe light is turned up to what the full grid gives.
 Scene small_scene() {
     Scene scene = load_scene("cornell-box");
     scene.camera.width = width;
@@ -29,6 +30,7 @@ Scene small_scene() {
     scene.probes->spacing *= 2;
     scene.probes->counts = (scene.probes->counts - 1) / 2 + 1;
     scene.thesis->falloffRegulator *= 4;
+    scene.thesis->probeBrightness *= 300;
     return scene;
 }
 
@@ -86,8 +88,8 @@ TEST_CASE("derivatives of the residuals equal finite differences", "[compare][fi
     const Scene scene = small_scene();
     // At the second point lit surfels are clamped: the derivatives must know.
     const Constants<double> at =
-        GENERATE(Constants<double>{2500, 0.1, 20}, Constants<double>{1000, 2.1, 7});
-    const Image truth = synthetic_truth(scene, {2000, 0.2, 30}, 0.01f, 1);
+        GENERATE(Constants<double>{2500, 0.1, 6000}, Constants<double>{1000, 2.1, 2000});
+    const Image truth = synthetic_truth(scene, {2000, 0.2, 9000}, 0.01f, 1);
     const Observations observations(FitCase{&scene, 0, &truth});
     const IndirectResidual residual{observations, 1e-4};
     const std::size_t count = observations.radiance().size();
@@ -117,7 +119,7 @@ TEST_CASE("derivatives of the residuals equal finite differences", "[compare][fi
 TEST_CASE("a fit recovers the constants of a synthetic truth within its standard errors",
           "[compare][fit]") {
     const Scene scene = small_scene();
-    const Constants<double> true_constants{2000, 0.105, 60};
+    const Constants<double> true_constants{2000, 0.105, 18000};
     double falloff_z2 = 0, product_z2 = 0;
     constexpr int trials = 8;
     for (unsigned seed = 0; seed < trials; ++seed) {
@@ -128,9 +130,9 @@ TEST_CASE("a fit recovers the constants of a synthetic truth within its standard
         REQUIRE(result.combinations.size() == 1);
         const KnownCombination& product = result.combinations[0];
         falloff_z2 += std::pow((falloff.value - 2000) / falloff.standard_error, 2);
-        product_z2 += std::pow((product.value - 0.105 * 60) / product.standard_error, 2);
+        product_z2 += std::pow((product.value - 0.105 * 18000) / product.standard_error, 2);
         CHECK(falloff.standard_error < 20);
-        CHECK(product.standard_error < 0.05);
+        CHECK(product.standard_error < 20);
         CHECK(result.reduced_chi_square == Approx(1).margin(0.1));
         CHECK(result.rmse_after < 0.7 * result.rmse_before);
     }
@@ -143,7 +145,7 @@ TEST_CASE("a fit recovers the constants of a synthetic truth within its standard
 
 TEST_CASE("factors that act only as a product are called not identifiable", "[compare][fit]") {
     const Scene scene = small_scene();
-    const Image truth = synthetic_truth(scene, {2000, 0.105, 60}, 0.01f, 3);
+    const Image truth = synthetic_truth(scene, {2000, 0.105, 18000}, 0.01f, 3);
     const FitResult result = fit({{&scene, 0, &truth}});
     for (const char* name : {"bounceAttenuation", "probeBrightness"}) {
         CHECK_FALSE(constant(result, name).identifiable);
@@ -159,7 +161,7 @@ TEST_CASE("where surfels are clamped, factors can be told apart", "[compare][fit
     Scene scene = small_scene();
     // Of surfaces with albedo 1 the clamp takes some light from 1 on, of all from 1.43 on.
     scene.thesis->bounceAttenuation = 1.5f;
-    const Image truth = synthetic_truth(scene, {2000, 1.6, 3}, 0.005f, 4);
+    const Image truth = synthetic_truth(scene, {2000, 1.6, 900}, 0.005f, 4);
     const FitResult result = fit({{&scene, 0, &truth}});
     CHECK(result.combinations.empty());
     const FittedConstant& attenuation = constant(result, "bounceAttenuation");
@@ -167,7 +169,7 @@ TEST_CASE("where surfels are clamped, factors can be told apart", "[compare][fit
     REQUIRE(attenuation.identifiable);
     REQUIRE(brightness.identifiable);
     CHECK(std::abs(attenuation.value - 1.6) < 3 * attenuation.standard_error);
-    CHECK(std::abs(brightness.value - 3) < 3 * brightness.standard_error);
+    CHECK(std::abs(brightness.value - 900) < 3 * brightness.standard_error);
 }
 
 TEST_CASE("the best gain is the least-squares scale of the published picture", "[compare][fit]") {
@@ -184,7 +186,7 @@ TEST_CASE("the best gain is the least-squares scale of the published picture", "
 TEST_CASE("a misfit that noise does not explain raises chi-square and widens errors",
           "[compare][fit]") {
     const Scene scene = small_scene();
-    Image truth = synthetic_truth(scene, {2000, 0.105, 60}, 0.01f, 6);
+    Image truth = synthetic_truth(scene, {2000, 0.105, 18000}, 0.01f, 6);
     const FitResult exact = fit({{&scene, 0, &truth}});
     CHECK(exact.misfit < 0.003);
     for (auto& channel : truth.layer("indirect"))
@@ -204,8 +206,8 @@ TEST_CASE("several scenes share constants, and each fit is tested on the others"
     Scene b = small_scene();
     b.name = "other";
     b.lights[0].position.x += 90;
-    const Image truth_a = synthetic_truth(a, {2000, 0.105, 60}, 0.01f, 7);
-    const Image truth_b = synthetic_truth(b, {2000, 0.105, 30}, 0.01f, 8);
+    const Image truth_a = synthetic_truth(a, {2000, 0.105, 18000}, 0.01f, 7);
+    const Image truth_b = synthetic_truth(b, {2000, 0.105, 9000}, 0.01f, 8);
     const FitResult result = fit({{&a, 0, &truth_a}, {&b, 0, &truth_b}});
     REQUIRE(result.transfer.size() == 4);
     for (const TransferError& error : result.transfer)
@@ -213,8 +215,8 @@ TEST_CASE("several scenes share constants, and each fit is tested on the others"
             CHECK(error.rmse == Approx(0.0104).epsilon(0.05));
         else
             CHECK(error.rmse > 0.02);
-    CHECK(constant(result, "probeBrightness").value > 31);
-    CHECK(constant(result, "probeBrightness").value < 59);
+    CHECK(constant(result, "probeBrightness").value > 9300);
+    CHECK(constant(result, "probeBrightness").value < 17700);
 }
 
 TEST_CASE("a fit to nothing is refused", "[compare][fit]") {

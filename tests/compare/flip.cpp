@@ -7,6 +7,7 @@
 
 #include "compare/flip_color.h"
 #include "compare/flip_filters.h"
+#include "scenes/errors.h"
 #include "tests/compare/test_images.h"
 
 using namespace plumbline;
@@ -230,6 +231,28 @@ TEST_CASE("hdr-flip needs light in the reference", "[compare]") {
     const auto flip = hdr_flip(pair_layers(mostly_black, gray, ""));
     REQUIRE(flip);
     CHECK_THAT(flip->stop_exposure - flip->start_exposure, WithinAbs(std::log2(7 / 6.5), 1e-5));
+}
+
+TEST_CASE("hdr-flip takes the exposures that it is given", "[compare]") {
+    const Image r = edge_image(13, 12, 6, 20.f), t = edge_image(13, 12, 7, 20.f);
+    FlipOptions options;
+    options.start_exposure = -4;
+    options.stop_exposure = 1.5;
+    const auto flip = hdr_flip(pair_layers(r, t, ""), options);
+    REQUIRE(flip);
+    CHECK(flip->exposures == 6);
+    CHECK(flip->start_exposure == -4);
+    CHECK(flip->stop_exposure == 1.5);
+    options.stop_exposure = -5;
+    CHECK_THROWS_AS(hdr_flip(pair_layers(r, t, ""), options), UsageError);
+}
+
+TEST_CASE("a nearer viewer sees more of a difference", "[compare]") {
+    const Image r = noise_image(40, 40, 1, 1.f), t = noise_image(40, 40, 2, 1.f);
+    FlipOptions far, near;
+    far.pixels_per_degree = 100;
+    near.pixels_per_degree = 20;
+    CHECK(ldr_flip(pair_layers(r, t, ""), near).mean > ldr_flip(pair_layers(r, t, ""), far).mean);
 }
 
 TEST_CASE("very bright and negative values do not break the tone mapper", "[compare]") {
