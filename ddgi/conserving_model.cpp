@@ -8,26 +8,9 @@
 #include <glm/gtc/constants.hpp>
 
 #include "ddgi/look_up.h"
-#include "ddgi/octants.h"
 
 namespace plumbline::ddgi {
 namespace {
-
-/// octant_cosines() of one normal after another; neighbours often share theirs.
-class OctantCosines {
- public:
-    std::span<const float> at(const glm::vec3& n) {
-        if (n != n_) {
-            n_ = n;
-            cosines_ = octant_cosines(n);
-        }
-        return cosines_;
-    }
-
- private:
-    glm::vec3 n_{0.f};  // no unit normal, so the first call computes
-    std::array<float, octant_count> cosines_{};
-};
 
 /// E(x, n) from the probes, W m^-2.
 Spectrum irradiance(const ProbeGrid& grid, std::span<const float> values, const glm::vec3& x,
@@ -41,10 +24,10 @@ Spectrum irradiance(const ProbeGrid& grid, std::span<const float> values, const 
 template <typename Radiance>
 void ConservingModel::average(std::span<float> values, const Radiance& radiance) const {
     const std::size_t per_octant = cache_->pattern().per_octant();
-    const auto average_octant = [&](std::size_t probe, std::size_t d, OctantCosines& cosines) {
+    const auto average_octant = [&](std::size_t probe, std::size_t d) {
         Spectrum sum(0.f);
         const std::size_t first = (probe * bins() + d) * per_octant;
-        for (std::size_t i = first; i < first + per_octant; ++i) sum += radiance(i, cosines);
+        for (std::size_t i = first; i < first + per_octant; ++i) sum += radiance(i);
         for (std::size_t c = 0; c < 3; ++c) {
             values[value_index(probe, c, d, bins())] =
                 sum[static_cast<int>(c)] / static_cast<float>(per_octant);
@@ -52,10 +35,8 @@ void ConservingModel::average(std::span<float> values, const Radiance& radiance)
     };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, probe_count(grid_)),
                       [&](const tbb::blocked_range<std::size_t>& probes) {
-                          OctantCosines cosines;
                           for (std::size_t p = probes.begin(); p < probes.end(); ++p) {
-                              for (std::size_t d = 0; d < bins(); ++d)
-                                  average_octant(p, d, cosines);
+                              for (std::size_t d = 0; d < bins(); ++d) average_octant(p, d);
                           }
                       });
 }
@@ -67,25 +48,26 @@ void ConservingModel::take_surfels(const SurfelCache& cache, const Spectrum& env
         return surfels.hit(i) ? surfels.emission[i] : environment;
     };
     unfed_.resize(surfels.size());
+    cosines_.resize(surfels.size());
     std::atomic<bool> any_emits = false;
     tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
         unfed_[i] = emitted(i);
         if (unfed_[i] != Spectrum(0.f)) any_emits = true;
         if (!surfels.hit(i)) return;
+        if (cache.replaced(i)) cosines_[i] = octant_cosines(surfels.n[i]);
         unfed_[i] += surfels.albedo[i] / glm::pi<float>() * surfels.direct[i];
     });
     emitted_.clear();
     if (!any_emits) return;
     emitted_.resize(probe_count(grid_) * 3 * bins());
-    average(emitted_, [&](std::size_t i, OctantCosines&) { return emitted(i); });
+    average(emitted_, [&](std::size_t i) { return emitted(i); });
 }
 
 void ConservingModel::update(std::span<const float> previous, std::span<float> next) const {
     const Surfels& surfels = cache_->surfels();
-    average(next, [&](std::size_t i, OctantCosines& cosines) {
+    average(next, [&](std::size_t i) {
         if (!surfels.hit(i) || surfels.albedo[i] == Spectrum(0.f)) return unfed_[i];
-        const Spectrum E =
-            irradiance(grid_, previous, surfels.position[i], cosines.at(surfels.n[i]));
+        const Spectrum E = irradiance(grid_, previous, surfels.position[i], cosines_[i]);
         return unfed_[i] + surfels.albedo[i] / glm::pi<float>() * E;
     });
 }

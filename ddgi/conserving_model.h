@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ddgi/model.h"
+#include "ddgi/octants.h"
 
 namespace plumbline::ddgi {
 
@@ -24,14 +25,15 @@ class ConservingModel final : public ProbeModel {
     Spectrum emitted_light(const ReceiverPoint& point) const override;
 
  private:
-    /// Per probe, channel and octant, the mean over rays of radiance(surfel).
+    /// Per probe, channel and octant, the mean of radiance(surfel) over its rays.
     template <typename Radiance>
     void average(std::span<float> values, const Radiance& radiance) const;
 
     ProbeGrid grid_;
     const SurfelCache* cache_ = nullptr;
-    std::vector<Spectrum> unfed_;  ///< radiance each surfel ray brings without any feedback
-    std::vector<float> emitted_;   ///< probe values of emission and environment; empty if none
+    std::vector<OctantCosines> cosines_;  ///< W_d(n) of each surfel
+    std::vector<Spectrum> unfed_;         ///< radiance each surfel ray brings without any feedback
+    std::vector<float> emitted_;  ///< probe values of emission and environment; empty if none
 };
 
 }  // namespace plumbline::ddgi

@@ -51,7 +51,7 @@ double clipped_cosine(const Triangle& corners, const glm::dvec3& n) {
 
 }  // namespace
 
-std::array<float, octant_count> octant_cosines(const glm::vec3& n) {
+OctantCosines octant_cosines(const glm::vec3& n) {
     static const auto octants = [] {
         std::array<Triangle, octant_count> corners;
         for (std::size_t d = 0; d < corners.size(); ++d) {
@@ -60,7 +60,7 @@ std::array<float, octant_count> octant_cosines(const glm::vec3& n) {
         return corners;
     }();
     const glm::dvec3 normal(n);
-    std::array<float, octant_count> cosines;
+    OctantCosines cosines;
     for (std::size_t d = 0; d < octants.size(); ++d) {
         cosines[d] = static_cast<float>(clipped_cosine(octants[d], normal));
     }

@@ -38,6 +38,8 @@ class SurfelCache {
     const Surfels& surfels() const { return surfels_; }
     const RayPattern& pattern() const { return pattern_; }
     const ProbeGrid& grid() const { return grid_; }
+    /// Whether the last call placed this surfel.
+    bool replaced(std::size_t surfel) const { return to_place_[surfel] != 0; }
     /// How many surfels are on a surface.
     std::uint64_t hits() const { return hits_; }
 
