@@ -2,13 +2,14 @@
 #include "ddgi/model.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "ddgi/conserving_model.h"
-#include "ddgi/nearest_name.h"
 #include "ddgi/thesis_model.h"
 #include "scenes/errors.h"
+#include "scenes/nearest_name.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -53,8 +54,10 @@ ModelSetup make_model(const std::string& name, const Scene& scene, const ProbeGr
         refuse_constants(name, set);
         return {std::make_unique<ConservingModel>(grid), {}};
     }
-    throw UsageError("--model", fmt::format("there is no model '{}'", name),
-                     choices(name, model_names()));
+    const std::vector<std::string> names = model_names();
+    throw UsageError("--model",
+                     fmt::format("there is no model '{}' among {}", name, fmt::join(names, ", ")),
+                     did_you_mean(name, names));
 }
 
 }  // namespace plumbline::ddgi

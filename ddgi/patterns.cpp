@@ -23,23 +23,19 @@ glm::vec3 direction_at(double cos_polar, double azimuth) {
     return glm::vec3(sin_polar * std::cos(azimuth), cos_polar, sin_polar * std::sin(azimuth));
 }
 
-/// Cells of equal area in the upper octant around azimuth 0, as (cos polar angle, azimuth).
+/// Points of an upper octant around azimuth 0, as (cos polar angle, azimuth): a rank-1 lattice with
+/// the golden ratio, so that each stands for the same solid angle, centred in azimuth.
 std::vector<glm::dvec2> even_octant(int count) {
-    std::vector<glm::dvec2> cells;
-    const int bands = std::max(1, static_cast<int>(std::lround(std::sqrt(double(count)))));
-    int begin = 0;
-    for (int band = 1; band <= bands; ++band) {
-        // Bands even in polar angle, moved until each holds a whole number of cells.
-        const double area = 1. - std::cos(pi / 2. * band / bands);
-        const int end = static_cast<int>(std::lround(count * area));
-        const double cos_polar = 1. - (begin + end) / (2. * count);
-        for (int cell = 0; cell < end - begin; ++cell) {
-            const double azimuth = pi / 2. * ((cell + 0.5) / (end - begin) - 0.5);
-            cells.emplace_back(cos_polar, azimuth);
-        }
-        begin = end;
+    const double golden = (std::sqrt(5.) - 1.) / 2.;
+    std::vector<glm::dvec2> points;
+    double mean = 0.;
+    for (int i = 0; i < count; ++i) {
+        const double turn = std::fmod(golden * (i + .5), 1.);
+        points.emplace_back((i + .5) / count, pi / 2. * turn);
+        mean += points.back().y / count;
     }
-    return cells;
+    for (glm::dvec2& point : points) point.y -= mean;
+    return points;
 }
 
 }  // namespace

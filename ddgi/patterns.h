@@ -40,8 +40,8 @@ constexpr std::array<int, 4> thesis_pattern_sizes = {64, 96, 128, 160};
 /// `surfels` is one of thesis_pattern_sizes; throws UsageError otherwise.
 RayPattern thesis_pattern(int surfels);
 
-/// Rays that stand for equal solid angles 4 pi / surfels. Each octant is cut into bands and
-/// these into cells of the same area, as in [Leopardi 2006]; a ray goes through each cell's middle.
+/// Rays that stand for equal solid angles 4 pi / surfels: in each octant a golden-ratio lattice,
+/// mapped to the sphere by an area-preserving map.
 /// `surfels` is a positive multiple of 8; throws UsageError otherwise.
 RayPattern even_pattern(int surfels);
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "ddgi/nearest_name.h"
 #include "ddgi/thesis_model.h"
 #include "scenes/errors.h"
+#include "scenes/nearest_name.h"
 #include "scenes/world.h"
 
 namespace plumbline::ddgi {
@@ -43,8 +43,9 @@ void override_constant(ThesisConstants& constants, const std::string& name, doub
     }
     std::vector<std::string> names;
     for (const NamedConstant& known : named_constants) names.emplace_back(known.name);
-    throw UsageError("--set " + name, "the model thesis has no such constant",
-                     choices(name, names));
+    throw UsageError("--set " + name,
+                     fmt::format("the model thesis has {}", fmt::join(names, ", ")),
+                     did_you_mean(name, names));
 }
 
 }  // namespace

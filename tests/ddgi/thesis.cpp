@@ -222,7 +222,7 @@ TEST_CASE("constants come from the scene, and are set by their published names",
     }
     SECTION("a name or value that makes no sense is refused") {
         CHECK_THROWS_WITH(thesis_constants(scene, *scene.probes, {{"probeBrightnes", 1.}}, notes),
-                          Catch::Contains("did you mean 'probeBrightness'?"));
+                          Catch::Contains("did you mean \"probeBrightness\"?"));
         CHECK_THROWS_AS(thesis_constants(scene, *scene.probes, {{"ambient", -1.}}, notes),
                         UsageError);
         CHECK_THROWS_AS(thesis_constants(scene, *scene.probes, {{"ambient", NAN}}, notes),
