@@ -7,6 +7,7 @@ namespace plumbline {
 namespace {
 
 void check_mesh(const Mesh& mesh, std::size_t materials, const Checked& checked) {
+    if (mesh.triangles.empty()) checked.fail("triangles", "is empty", "a mesh has triangles");
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         if (finite(mesh.positions[i])) continue;
         checked.fail(fmt::format("positions/{}", i), "is not finite", "write finite numbers");

@@ -74,7 +74,9 @@ std::string plain_reason(const Json::parse_error& error) {
     const std::string what = error.what();
     const std::size_t reason = what.find(": ", what.find("parse error at"));
     std::string plain = reason == std::string::npos ? what : what.substr(reason + 2);
-    std::replace(plain.begin(), plain.end(), '\n', ' ');
+    // What it last read may be anything; the message stays one line of plain text.
+    const auto unprintable = [](char c) { return c < ' ' || c > '~'; };
+    std::replace_if(plain.begin(), plain.end(), unprintable, '?');
     return plain;
 }
 

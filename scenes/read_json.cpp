@@ -23,6 +23,7 @@ void read_materials(const JsonView& list, SceneBeingRead& into) {
         }
         into.materials.emplace(material.name, static_cast<int>(into.scene.materials.size()));
         into.scene.materials.push_back(std::move(material));
+        into.material_places.push_back(item.pointer());
     }
 }
 
@@ -73,7 +74,8 @@ void read_parts(const JsonView& root, SceneBeingRead& into) {
 std::string json_place(const SceneBeingRead& read, std::string_view list, std::size_t index,
                        std::string_view member) {
     std::string pointer = fmt::format("/{}", list);
-    if (list == "materials" || list == "lights") pointer += fmt::format("/{}", index);
+    if (list == "lights") pointer += fmt::format("/{}", index);
+    if (list == "materials") pointer = read.material_places[index];
     if (list == "meshes") pointer = read.mesh_places[index];
     if (list == "objects") pointer = read.object_places[index];
     return member.empty() ? pointer : fmt::format("{}/{}", pointer, member);

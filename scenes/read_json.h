@@ -28,7 +28,8 @@ struct SceneBeingRead {
     Scene scene;
     std::map<std::string, int> materials;
     std::map<std::string, int> meshes;
-    /// For each of scene.meshes and scene.objects, the JSON pointer where it is written.
+    /// For each of scene.materials, meshes and objects, the JSON pointer where it is written.
+    std::vector<std::string> material_places;
     std::vector<std::string> mesh_places;
     std::vector<std::string> object_places;
 
@@ -42,8 +43,11 @@ struct SceneBeingRead {
 void read_meshes(const JsonView& list, SceneBeingRead& into);
 void read_objects(const JsonView& list, SceneBeingRead& into);
 
-/// Gives the scene's last object its mesh: a name, or {"positions", "triangles", ...}.
+/// Gives the scene's last object its mesh: a name, {"positions", "triangles", ...}, or {"file"}.
 void read_object_mesh(const JsonView& mesh, SceneBeingRead& into);
+
+/// Gives the scene's last object the mesh of an OBJ file, or a glTF file's objects as children.
+void read_mesh_file(const JsonView& mesh, SceneBeingRead& into);
 
 Transform read_transform(const JsonView& object);
 Animation read_animation(const JsonView& animation);

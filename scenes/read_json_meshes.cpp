@@ -7,9 +7,9 @@ namespace plumbline {
 namespace {
 
 void read_positions(const JsonView& item, Mesh& mesh) {
-    for (const JsonView& position : item.at("positions").items()) {
-        mesh.positions.push_back(position.vec3());
-    }
+    const JsonView positions = item.at("positions");
+    for (const JsonView& position : positions.items()) mesh.positions.push_back(position.vec3());
+    if (mesh.positions.empty()) positions.fail("is empty", "a mesh has vertices");
     if (const auto albedo = item.find("vertex_albedo")) {
         for (const JsonView& value : albedo->items()) mesh.vertex_albedo.push_back(value.vec3());
     }
@@ -64,6 +64,7 @@ void read_meshes(const JsonView& list, SceneBeingRead& into) {
 }
 
 void read_object_mesh(const JsonView& item, SceneBeingRead& into) {
+    if (item.is_object() && item.find("file")) return read_mesh_file(item, into);
     const std::size_t object = into.scene.objects.size() - 1;
     int index = 0;
     if (item.is_string()) {
