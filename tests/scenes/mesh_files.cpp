@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include "scenes/errors.h"
+#include "scenes/scene_files.h"
+#include "scenes/world.h"
+#include "tests/scenes/temporary_folder.h"
+
+using namespace plumbline;
+
+namespace {
+
+const std::string square =
+    "mtllib square.mtl\n# a unit square, its second half by negative indices\n"
+    "v 0 0 0 1 0.5 0.25\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+    "usemtl red paint\nf 1/1 2/2 3\nusemtl dark\nf -4 -2 -1\n";
+const std::string paints = "newmtl red paint\nKd 0.8 0.1 0.1\nnewmtl dark\nKd 0 0 0\nKe 3 2 1\n";
+
+std::string scene_with(const std::string& mesh) {
+    return R"({"name": "s", "materials": [{"name": "grey", "albedo": 0.5}],
+        "objects": [{"name": "thing", "mesh": )" +
+           mesh + R"(, "translation": [0, 0, 7]}],
+        "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}})";
+}
+
+/// What is said when an OBJ of this text is loaded, from its name on.
+std::string obj_complaint(const std::string& obj) {
+    const TemporaryFolder folder;
+    folder.write("square.mtl", paints);
+    folder.write("square.obj", obj);
+    const std::string path = folder.write("s.json", scene_with(R"({"file": "square.obj"})"));
+    try {
+        load_scene(path);
+    } catch (const SceneError& error) {
+        return std::string(error.what()).substr(folder.path().string().size() + 1);
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("an OBJ file brings its faces, colours and materials", "[scenes][mesh-files]") {
+    const TemporaryFolder folder;
+    folder.write("square.mtl", paints);
+    folder.write("square.obj", square);
+    const std::string path = folder.write("s.json", scene_with(R"({"file": "square.obj"})"));
+    const Scene scene = load_scene(path);
+    REQUIRE(scene.meshes.size() == 1);
+    const Mesh& mesh = scene.meshes[0];
+    CHECK(mesh.positions == std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+    CHECK(mesh.triangles == std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 3}});
+    CHECK(mesh.vertex_albedo ==
+          std::vector<Spectrum>{{1, .5f, .25f}, Spectrum(1), Spectrum(1), Spectrum(1)});
+    CHECK(scene.materials[std::size_t(mesh.triangle_materials[0])].name == "thing/red paint");
+    CHECK(scene.materials[std::size_t(mesh.triangle_materials[0])].albedo ==
+          Spectrum(.8f, .1f, .1f));
+    CHECK(scene.materials[std::size_t(mesh.triangle_materials[1])].emission == Spectrum(3, 2, 1));
+    CHECK(world_at(scene, 0).bounds() == Bounds{{0, 0, 7}, {1, 1, 7}});
+}
+
+TEST_CASE("a material beside the file replaces the file's own", "[scenes][mesh-files]") {
+    const TemporaryFolder folder;
+    folder.write("square.obj", square);
+    const std::string path =
+        folder.write("s.json", scene_with(R"({"file": "square.obj", "material": "grey"})"));
+    const Scene scene = load_scene(path);
+    CHECK(scene.meshes[0].triangle_materials == std::vector<int>{0, 0});
+    CHECK(scene.materials.size() == 1);
+}
+
+TEST_CASE("a concave polygon is cut without covering what is outside", "[scenes][mesh-files]") {
+    const TemporaryFolder folder;
+    // An arrowhead: cut from its first corner, a triangle would turn over.
+    folder.write("square.obj", "v 0 2 0\nv -1 0 0\nv 0 1 0\nv 1 0 0\nf 4 1 2 3\n");
+    const std::string path =
+        folder.write("s.json", scene_with(R"({"file": "square.obj", "material": "grey"})"));
+    const Mesh mesh = load_scene(path).meshes[0];
+    double area = 0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const auto& p = mesh.positions;
+        const glm::vec3 n = glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]);
+        CHECK(n.z > 0.f);
+        area += n.z / 2;
+    }
+    CHECK(area == Approx(1.));
+}
+
+TEST_CASE("a glTF file brings its objects below the one that names it", "[scenes][mesh-files]") {
+    const TemporaryFolder folder;
+    const Scene room = load_scene("room-with-door");
+    save_scene(room, folder / "room.gltf");
+    const std::string path = folder.write("s.json", scene_with(R"({"file": "room.gltf"})"));
+    const Scene scene = load_scene(path);
+    REQUIRE(scene.objects.size() == room.objects.size() + 1);
+    const World there = world_at(room, 275);
+    const World here = world_at(scene, 275);
+    for (std::size_t i = 0; i < room.objects.size(); ++i) {
+        CHECK(here.objects[i + 1].name == "thing/" + there.objects[i].name);
+        CHECK(here.objects[i + 1].bounds.lower ==
+              there.objects[i].bounds.lower + glm::vec3(0, 0, 7));
+    }
+    CHECK(scene.lights.empty());
+    CHECK(scene.not_simulated == std::vector<std::string>{"room.gltf: its lights"});
+}
+
+TEST_CASE("a bad OBJ file gets one line that names its line", "[scenes][bad-input]") {
+    CHECK(obj_complaint(square) == "accepted");
+    CHECK(obj_complaint("v 0 0 x\n") ==
+          "square.obj:1: \"x\" is no finite number; write one such as 0.5");
+    CHECK(obj_complaint("\n\nv 0 0\n") == "square.obj:3: has too few numbers; write 3 or more");
+    CHECK(obj_complaint("v 0 0 nan\n") ==
+          "square.obj:1: \"nan\" is no finite number; write one such as 0.5");
+    CHECK(obj_complaint("v 0 0 0\nf 1 1 2\n") ==
+          "square.obj:2: asks for vertex 2; there are 1 to 1 so far");
+    CHECK(obj_complaint("v 0 0 0\nf 1 1 0\n") ==
+          "square.obj:2: asks for vertex 0; there are 1 to 1 so far");
+    CHECK(obj_complaint("v 0 0 0\nf 1 1\n") == "square.obj:2: has 2 corners; a face has 3 to 1000");
+    CHECK(obj_complaint("v 0 0 0\n") ==
+          "square.obj: has no faces; it may not be a Wavefront OBJ file");
+    CHECK(obj_complaint("v 0 0 0\nf 1 1 1\n") ==
+          "s.json: /objects/0/mesh/file: has faces without a material; give \"material\" beside "
+          "\"file\"");
+    CHECK(obj_complaint("mtllib ../m.mtl\nv 0 0 0\nusemtl a\nf 1 1 1\n") ==
+          "s.json: /objects/0/mesh/file: \"../m.mtl\" is not in the scene's folder; put the file "
+          "into that folder or below, and name it relative to it");
+}
