@@ -4,7 +4,7 @@
 #include "ddgi/render.h"
 #include "ddgi/volume.h"
 #include "scenes/scene_files.h"
-#include "small_scenes.h"
+#include "tests/ddgi/small_scenes.h"
 
 using namespace plumbline;
 using namespace plumbline::ddgi;
