@@ -67,7 +67,7 @@ TEST_CASE("the cache changes no byte of any frame, and saves work", "[ddgi]") {
     CHECK(same_bytes(render(scene, 5, options_for(model)).image, render(scene, 5, uncached).image));
 }
 
-TEST_CASE("a still is converged; --updates says how many instead", "[ddgi]") {
+TEST_CASE("a still is converged, and --updates says how many instead", "[ddgi]") {
     const Scene scene = room_with_moving_block();
     DdgiOptions options = options_for("conserving");
     const DdgiResult still = render(scene, 9, options);

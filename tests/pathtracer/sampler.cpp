@@ -39,7 +39,7 @@ constexpr int draws = 20'000;
 
 }  // namespace
 
-TEST_CASE("the numbers of a sample lie in [0, 1)", "[pathtracer][sampler]") {
+TEST_CASE("the numbers of a sample are at least 0 and below 1", "[pathtracer][sampler]") {
     float least = 1.f;
     float most = 0.f;
     for (int pixel = 0; pixel < 5'000; ++pixel) {
