@@ -89,3 +89,16 @@ TEST_CASE("a source that is missing in the README's list is found", "[architectu
     CHECK(house::sources_without_entry({file}, "**[" + known + "]** Title.") ==
           std::set<std::string>{unknown});
 }
+
+TEST_CASE("no test has a name that keeps it from being run", "[architecture]") {
+    CHECK(house::unrunnable_test_names(house::house_files(root)) == Lines{});
+}
+
+TEST_CASE("a test name that would keep tests from being run is found", "[architecture]") {
+    const auto names = [](const std::string& name) {
+        return house::unrunnable_test_names({File{"tests/a.cpp", "TEST_CASE(" + name + ", x)"}});
+    };
+    CHECK(names("\"all is well, and (so) on\"") == Lines{});
+    CHECK(names("\"in [0, 1)\"") == Lines{"in [0, 1)"});
+    CHECK(names("\"one; two\"") == Lines{"one; two"});
+}

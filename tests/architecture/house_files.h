@@ -56,6 +56,10 @@ std::vector<std::string> form_violations(const std::vector<File>& files);
 std::set<std::string> sources_without_entry(const std::vector<File>& files,
                                             const std::string& readme);
 
+/// Names of test cases with a bracket or a semicolon, which CMake's lists join with the names after
+/// them to one test that runs nothing.
+std::vector<std::string> unrunnable_test_names(const std::vector<File>& files);
+
 /// Compiler options in `text` that let the compiler forget NaN, infinities or the order of sums.
 std::vector<std::string> unsafe_math_options(const std::string& text);
 

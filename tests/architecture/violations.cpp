@@ -93,6 +93,20 @@ std::set<std::string> sources_without_entry(const std::vector<File>& files,
     return sources;
 }
 
+std::vector<std::string> unrunnable_test_names(const std::vector<File>& files) {
+    static const std::regex test_case(R"re(TEST_CASE\("([^"]*[\[\];][^"]*)")re");
+    std::vector<std::string> names;
+    for (const File& file : files) {
+        if (!file.is_code()) continue;
+        const std::sregex_iterator end;
+        for (std::sregex_iterator it(file.text.begin(), file.text.end(), test_case); it != end;
+             ++it) {
+            names.push_back((*it)[1]);
+        }
+    }
+    return names;
+}
+
 std::vector<std::string> unsafe_math_options(const std::string& text) {
     std::vector<std::string> found;
     std::ranges::copy_if(unsafe_options, std::back_inserter(found), [&](const char* option) {
