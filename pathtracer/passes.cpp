@@ -14,6 +14,10 @@ namespace {
 /// Small enough to share out evenly, large enough that neighbouring rays share the cache.
 constexpr int tile_size = 16;
 
+/// With a batch of samples a pixel, a wave is large enough to fill packets of rays for many bounces
+/// and small enough for the second-level cache.
+constexpr int rows_a_wave = 4;
+
 int tiles_along(int pixels) { return (pixels + tile_size - 1) / tile_size; }
 
 bool is_finite(const glm::vec3& v) {
@@ -34,6 +38,11 @@ void with_effects(Effects effects, const Function& f) {
 }
 
 }  // namespace
+
+/// Pixels whose samples are traced together.
+struct Passes::Block {
+    int left, top, right, bottom;
+};
 
 struct Passes::TileCounts {
     std::uint64_t rays = 0;
@@ -85,38 +94,63 @@ Passes::TileCounts Passes::add_tile(const Pass& pass, int tile) {
     const int tiles_x = tiles_along(camera.width);
     const int left = tile % tiles_x * tile_size;
     const int top = tile / tiles_x * tile_size;
+    const int right = std::min(left + tile_size, camera.width);
+    const int bottom = std::min(top + tile_size, camera.height);
     TileCounts counts;
-    for (int y = top; y < std::min(top + tile_size, camera.height); ++y) {
-        for (int x = left; x < std::min(left + tile_size, camera.width); ++x) {
-            add_to_pixel<F>(pass, x, y, counts);
+    Wave<F, RayTracer> wave(tracer_, options_);
+    for (int y = top; y < bottom; y += rows_a_wave) {
+        const Block block{left, y, right, std::min(y + rows_a_wave, bottom)};
+        for (int first = pass.first; first < pass.last; first += Sampler::batch_size) {
+            const int last = std::min(first + Sampler::batch_size, pass.last);
+            add_wave<F>({first, last, pass.group}, block, wave, counts);
         }
     }
     return counts;
 }
 
 template <Effects F>
-void Passes::add_to_pixel(const Pass& pass, int x, int y, TileCounts& counts) {
-    const Camera& camera = tracer_.world().camera;
-    PixelEstimate& pixel = pixels_[std::size_t(y) * std::size_t(camera.width) + std::size_t(x)];
-    const std::uint64_t key = pixel_key(seed_, x, y);
-    for (int first = pass.first; first < pass.last; first += pass.group) {
-        const bool counted_singly = pixel.groups > 1 && pixel.groups == pixel.sums.samples;
-        if (pass.group > 1 && counted_singly) pixel.join_groups();
-        SampleSums group;
-        for (int sample = first; sample < std::min(first + pass.group, pass.last); ++sample) {
-            Sampler sampler(key, sample);
-            const glm::vec2 at = glm::vec2(x, y) + sampler.next_2d();
-            const Ray ray = camera_rays_.through(at.x, at.y);
-            const Path path = trace_path<F>(tracer_, ray, sampler, options_);
-            group.add(path, camera.eye, forward_);
-            counts.rays += path.rays;
-            if (!is_finite(path.direct + path.indirect)) {
-                ++counts.non_finite.samples;
-                if (!counts.non_finite.first) counts.non_finite.first = glm::ivec2(x, y);
+void Passes::add_wave(const Pass& pass, const Block& block, Wave<F, RayTracer>& wave,
+                      TileCounts& counts) {
+    for (int y = block.top; y < block.bottom; ++y) {
+        for (int x = block.left; x < block.right; ++x) {
+            const std::uint64_t key = pixel_key(seed_, x, y);
+            for (int sample = pass.first; sample < pass.last; ++sample) {
+                Sampler sampler(key, sample);
+                const glm::vec2 at = glm::vec2(x, y) + sampler.next_2d();
+                wave.start(camera_rays_.through(at.x, at.y), sampler);
             }
         }
-        pixel.add_group(group);
     }
+    std::span<const Path> paths = wave.follow();
+    const auto samples = static_cast<std::size_t>(pass.last - pass.first);
+    for (int y = block.top; y < block.bottom; ++y) {
+        for (int x = block.left; x < block.right; ++x) {
+            add_to_pixel(pass, paths.first(samples), {x, y}, counts);
+            paths = paths.subspan(samples);
+        }
+    }
+}
+
+void Passes::add_to_pixel(const Pass& pass, std::span<const Path> paths, const glm::ivec2& at,
+                          TileCounts& counts) {
+    const Camera& camera = tracer_.world().camera;
+    PixelEstimate& pixel =
+        pixels_[std::size_t(at.y) * std::size_t(camera.width) + std::size_t(at.x)];
+    const bool counted_singly = pixel.groups > 1 && pixel.groups == pixel.sums.samples;
+    if (pass.group > 1 && counted_singly) pixel.join_groups();
+    SampleSums group;
+    for (const Path& path : paths) {
+        group.add(path, camera.eye, forward_);
+        counts.rays += path.rays;
+        if (!is_finite(path.direct + path.indirect)) {
+            ++counts.non_finite.samples;
+            if (!counts.non_finite.first) counts.non_finite.first = at;
+        }
+        if (pass.group > 1) continue;
+        pixel.add_group(group);
+        group = {};
+    }
+    if (pass.group > 1) pixel.add_group(group);
 }
 
 }  // namespace plumbline::pathtracer

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pathtracer/estimate.h"
 #include "pathtracer/render.h"
+#include "pathtracer/wave.h"
 #include "scenes/camera_rays.h"
 #include "scenes/effects.h"
 #include "scenes/progress.h"
@@ -41,13 +43,17 @@ class Passes {
 
  private:
     struct TileCounts;
+    struct Block;
 
     template <Effects F>
     void add_with(const Pass& pass, Progress& progress);
     template <Effects F>
     TileCounts add_tile(const Pass& pass, int tile);
     template <Effects F>
-    void add_to_pixel(const Pass& pass, int x, int y, TileCounts& counts);
+    void add_wave(const Pass& pass, const Block& block, Wave<F, RayTracer>& wave,
+                  TileCounts& counts);
+    void add_to_pixel(const Pass& pass, std::span<const Path> paths, const glm::ivec2& at,
+                      TileCounts& counts);
 
     const RayTracer& tracer_;
     Effects effects_;

@@ -1,51 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 // How near the path tracer comes to its limit: the rays of a render, traced by the render itself
-// and replayed through bare Embree. replay time / render time is the share of the render that no
-// kernel could do without.
+// and replayed through bare Embree. (replay time) / (render time) is the share of the render that
+// no kernel could do without. Also its efficiency, 1 / (variance x time).
 #include <benchmark/benchmark.h>
-#include <embree3/rtcore.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <memory>
+#include <array>
 #include <vector>
 
 #include "pathtracer/passes.h"
 #include "scenes/scene_files.h"
+#include "tests/bench/embree_replay.h"
 
 namespace plumbline::pathtracer {
 namespace {
 
 constexpr int width = 240;
-constexpr int height = 135;
-constexpr int spp = Sampler::batch_size;
+constexpr int height = 136;
+constexpr int spp = 2 * Sampler::batch_size;
 
-/// A ray that a render asked for, and how.
-struct Query {
-    enum class Kind { Camera, Bounce, Shadow };
-    Ray ray;
-    Kind kind;
-};
+enum Kind { Camera, Bounce, Shadow };
+
+/// The rays that a render asked for, by kind, in the order in which it asked.
+using Queries = std::array<std::vector<Ray>, 3>;
 
 /// Answers like the RayTracer it stands for, and keeps what it was asked.
 class RecordingTracer {
  public:
-    RecordingTracer(const RayTracer& tracer, std::vector<Query>& queries)
+    RecordingTracer(const RayTracer& tracer, Queries& queries)
         : tracer_(tracer), queries_(queries) {}
-    std::optional<Hit> intersect(const Ray& ray, BackFaces back_faces) const {
-        const bool camera = back_faces == BackFaces::Cull;
-        queries_.push_back({ray, camera ? Query::Kind::Camera : Query::Kind::Bounce});
-        return tracer_.intersect(ray, back_faces);
+    void intersect(std::span<const Ray> rays, BackFaces back_faces, Coherence coherence,
+                   std::span<std::optional<Hit>> hits) const {
+        auto& kept = queries_[back_faces == BackFaces::Cull ? Camera : Bounce];
+        kept.insert(kept.end(), rays.begin(), rays.end());
+        tracer_.intersect(rays, back_faces, coherence, hits);
     }
-    bool occluded(const glm::vec3& a, const glm::vec3& b) const {
-        queries_.push_back({{a, b - a, 1.f}, Query::Kind::Shadow});
-        return tracer_.occluded(a, b);
+    void occluded(std::span<const Segment> segments, std::span<bool> hidden) const {
+        for (const auto& [a, b] : segments) queries_[Shadow].push_back({a, b - a, 1.f});
+        tracer_.occluded(segments, hidden);
     }
     const World& world() const { return tracer_.world(); }
 
  private:
     const RayTracer& tracer_;
-    std::vector<Query>& queries_;
+    Queries& queries_;
 };
 
 /// A scene ready to render, and the rays that rendering it takes.
@@ -53,20 +52,27 @@ struct Workload {
     World world;
     Effects effects;
     RayTracer tracer;
-    std::vector<Query> queries;
+    Queries queries;
 
     Workload(Scene scene, int frame)
         : world(world_at(sized(scene), frame)), effects(effects_of(scene)), tracer(world) {
         const CameraRays camera_rays(world.camera);
         const RecordingTracer recorder(tracer, queries);
+        Wave<Effects{} | Effect::PointLights, RecordingTracer> wave(recorder, PathOptions{});
+        constexpr int wave_size = 1024;
+        static_assert(width * height * spp % wave_size == 0);
         for (int i = 0; i < width * height * spp; ++i) {
             const int x = i / spp % width;
             const int y = i / spp / width;
             Sampler sampler(pixel_key(0, x, y), i % spp);
             const glm::vec2 at = glm::vec2(x, y) + sampler.next_2d();
-            constexpr Effects F = Effects{} | Effect::PointLights;
-            trace_path<F>(recorder, camera_rays.through(at.x, at.y), sampler, PathOptions{});
+            wave.start(camera_rays.through(at.x, at.y), sampler);
+            if ((i + 1) % wave_size == 0) wave.follow();
         }
+    }
+
+    std::size_t rays() const {
+        return queries[Camera].size() + queries[Bounce].size() + queries[Shadow].size();
     }
 
  private:
@@ -83,59 +89,6 @@ const Workload& workload(std::int64_t index) {
     return index == 0 ? cornell_box : room_with_door;
 }
 
-/// The triangles of a world in Embree, with nothing else around them.
-class BareEmbree {
- public:
-    explicit BareEmbree(const World& world) {
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        for (const WorldMesh& mesh : world.meshes) add(mesh);
-        rtcCommitScene(scene_);
-    }
-    ~BareEmbree() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-    BareEmbree(const BareEmbree&) = delete;
-    BareEmbree& operator=(const BareEmbree&) = delete;
-
-    /// A value that depends on the answer.
-    float trace(const Query& query) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRayHit r;
-        const auto& [origin, direction, t_max] = query.ray;
-        r.ray = {origin.x,    origin.y, origin.z, 0.f, direction.x, direction.y,
-                 direction.z, 0.f,      t_max,    ~0u, 0u,          0u};
-        r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        if (query.kind == Query::Kind::Shadow) {
-            rtcOccluded1(scene_, &context, &r.ray);
-        } else {
-            rtcIntersect1(scene_, &context, &r);
-        }
-        return r.ray.tfar;
-    }
-
- private:
-    void add(const WorldMesh& mesh) {
-        const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        void* positions =
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    sizeof(glm::vec3), mesh.positions.size());
-        void* triangles =
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    sizeof(glm::uvec3), mesh.triangles.size());
-        std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<glm::vec3*>(positions));
-        std::copy(mesh.triangles.begin(), mesh.triangles.end(),
-                  static_cast<glm::uvec3*>(triangles));
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-    }
-
-    RTCDevice device_ = rtcNewDevice(nullptr);
-    RTCScene scene_ = rtcNewScene(device_);
-};
-
 void count_rays(benchmark::State& state, std::size_t rays_an_iteration) {
     state.counters["rays/s"] = benchmark::Counter(
         double(state.iterations()) * double(rays_an_iteration), benchmark::Counter::kIsRate);
@@ -145,36 +98,64 @@ void render(benchmark::State& state) {
     const Workload& work = workload(state.range(0));
     Progress::silence();
     std::uint64_t rays = 0;
+    double relmse = 0.;
     for (auto _ : state) {
         Passes passes(work.tracer, work.effects, {}, 0);
         Progress progress("benchmark", passes.tiles());
-        passes.add({0, spp, spp}, progress);
+        passes.add({0, spp, Sampler::batch_size}, progress);
         rays = passes.rays();
+        relmse = relmse_estimate(passes.pixels());
     }
     count_rays(state, rays);
+    state.counters["efficiency"] =
+        benchmark::Counter(double(state.iterations()) / relmse, benchmark::Counter::kIsRate);
+}
+
+/// Replays one kind of rays, N at a time, on all threads.
+template <int N>
+void replay_packets(benchmark::State& state) {
+    const Workload& work = workload(state.range(0));
+    const auto kind = static_cast<Kind>(state.range(1));
+    const bench::BareEmbree embree(work.world);
+    const std::span<const Ray> rays = work.queries[kind];
+    constexpr std::size_t grain = 4096;
+    for (auto _ : state) {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, rays.size(), grain), [&](const auto& range) {
+                const auto part = rays.subspan(range.begin(), range.size());
+                benchmark::DoNotOptimize(embree.trace<N>(part, kind == Shadow, kind == Camera));
+            });
+    }
+    count_rays(state, rays.size());
 }
 
 void replay(benchmark::State& state) {
-    const Workload& work = workload(state.range(0));
-    const BareEmbree embree(work.world);
-    for (auto _ : state) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, work.queries.size()),
-                          [&](const auto& range) {
-                              float sum = 0.f;
-                              for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                                  sum += embree.trace(work.queries[i]);
-                              }
-                              benchmark::DoNotOptimize(sum);
-                          });
+    switch (state.range(2)) {
+        case 1:
+            return replay_packets<1>(state);
+        case 4:
+            return replay_packets<4>(state);
+        case 8:
+            return replay_packets<8>(state);
+        default:
+            return replay_packets<16>(state);
     }
-    count_rays(state, work.queries.size());
 }
 
-// 0: cornell-box; 1: room-with-door at frame 350.
-BENCHMARK(render)->Arg(0)->Arg(1)->UseRealTime()->MeasureProcessCPUTime()->Unit(
-    benchmark::kMillisecond);
-BENCHMARK(replay)->Arg(0)->Arg(1)->UseRealTime()->MeasureProcessCPUTime()->Unit(
-    benchmark::kMillisecond);
+// Scene 0: cornell-box; 1: room-with-door at frame 350. Kind 0: camera; 1: bounce; 2: shadow rays.
+BENCHMARK(render)
+    ->ArgNames({"scene"})
+    ->Arg(0)
+    ->Arg(1)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(replay)
+    ->ArgNames({"scene", "kind", "width"})
+    ->ArgsProduct({{0, 1}, {Camera, Bounce, Shadow}, {1, 4, 8, 16}})
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace plumbline::pathtracer

@@ -134,6 +134,7 @@ TEST_CASE("a closed scene absorbs what its light emits", "[pathtracer][analytic]
     std::uniform_real_distribution<float> uniform(0.f, 1.f);
     constexpr int points = 40'000;
     double absorbed = 0., variance = 0.;
+    Wave<test::all_effects, RayTracer> wave(tracer, PathOptions{});
     for (const Quad& quad : surfaces) {
         const glm::vec3 area_normal = glm::cross(quad.edge_u, quad.edge_v);
         const glm::vec3 n = glm::normalize(area_normal);
@@ -142,9 +143,9 @@ TEST_CASE("a closed scene absorbs what its light emits", "[pathtracer][analytic]
         for (int i = 0; i < points; ++i) {
             const glm::vec3 on_wall =
                 quad.corner + uniform(random) * quad.edge_u + uniform(random) * quad.edge_v;
-            Sampler sampler(pixel_key(5, i, 0), 0);
-            const Path path = trace_path<test::all_effects>(tracer, {on_wall + .01f * n, -n},
-                                                            sampler, PathOptions{});
+            wave.start({on_wall + .01f * n, -n}, Sampler(pixel_key(5, i, 0), 0));
+        }
+        for (const Path& path : wave.follow()) {
             const double value = double(glm::length(area_normal)) * (1. - rho) * pi / rho *
                                  (double(path.direct.x) + double(path.indirect.x));
             sum += value;

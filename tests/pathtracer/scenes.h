@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pathtracer/estimate.h"
-#include "pathtracer/path.h"
+#include "pathtracer/wave.h"
 #include "scenes/scene.h"
 #include "scenes/world.h"
 
@@ -73,13 +73,13 @@ inline PixelEstimate estimate_along(const RayTracer& tracer, const Ray& ray, int
                                     const PathOptions& options, std::uint64_t seed = 0) {
     PixelEstimate estimate;
     const std::uint64_t key = pixel_key(seed, 0, 0);
+    Wave<all_effects, RayTracer> wave(tracer, options);
     for (int batch = 0; batch < batches; ++batch) {
-        SampleSums group;
         for (int i = 0; i < Sampler::batch_size; ++i) {
-            Sampler sampler(key, batch * Sampler::batch_size + i);
-            group.add(trace_path<all_effects>(tracer, ray, sampler, options), ray.origin,
-                      ray.direction);
+            wave.start(ray, Sampler(key, batch * Sampler::batch_size + i));
         }
+        SampleSums group;
+        for (const Path& path : wave.follow()) group.add(path, ray.origin, ray.direction);
         estimate.add_group(group);
     }
     return estimate;

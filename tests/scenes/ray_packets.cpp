@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture may depend neither on how many rays are traced together nor on which.
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "scenes/camera_rays.h"
+#include "scenes/ray_tracer.h"
+#include "scenes/scene_files.h"
+
+namespace plumbline {
+namespace {
+
+bool same_bits(const glm::vec3& a, const glm::vec3& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
+    if (a.has_value() != b.has_value()) return false;
+    return !a || (a->t == b->t && same_bits(a->position, b->position) &&
+                  a->position_error == b->position_error && same_bits(a->ng, b->ng) &&
+                  a->back == b->back && a->object == b->object && a->material == b->material &&
+                  same_bits(a->albedo, b->albedo));
+}
+
+/// Rays through pixels in order, then from what they meet into random directions, and from there.
+std::vector<Ray> rays_in(const RayTracer& tracer) {
+    std::mt19937 random(5);
+    std::normal_distribution<float> normal;
+    const Camera& camera = tracer.world().camera;
+    const CameraRays camera_rays(camera);
+    std::vector<Ray> rays;
+    for (int y = 0; y < camera.height; ++y) {
+        for (int x = 0; x < camera.width; ++x) {
+            rays.push_back(camera_rays.through(static_cast<float>(x), static_cast<float>(y)));
+        }
+    }
+    const std::size_t most = 3 * rays.size();
+    for (std::size_t i = 0; i < rays.size() && rays.size() < most; ++i) {
+        const auto hit = tracer.intersect(rays[i], BackFaces::Cull);
+        if (!hit) continue;
+        const glm::vec3 direction(normal(random), normal(random), normal(random));
+        rays.push_back({offset_origin(*hit, hit->n()), glm::normalize(direction)});
+    }
+    return rays;
+}
+
+Scene small(Scene scene) {
+    scene.camera.width = 160;
+    scene.camera.height = 90;
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("packets of any width answer as single rays do to the bit", "[scenes][rays]") {
+    const std::string name = GENERATE("cornell-box", "room-with-door", "furnace");
+    const int width = GENERATE(1, 4, 8, 16);
+    const World world = world_at(small(load_scene(name)), 0);
+    const RayTracer tracer(world, width);
+    const std::vector<Ray> rays = rays_in(tracer);
+    const auto back_faces = GENERATE(BackFaces::Cull, BackFaces::Hit);
+    const auto coherence = GENERATE(Coherence::Coherent, Coherence::Incoherent);
+    std::vector<std::optional<Hit>> hits(rays.size());
+    tracer.intersect(rays, back_faces, coherence, hits);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        different += same(hits[i], tracer.intersect(rays[i], back_faces)) ? 0u : 1u;
+    }
+    CHECK(different == 0);
+}
+
+TEST_CASE("packets of any width see the same shadows as single rays", "[scenes][rays]") {
+    const std::string name = GENERATE("cornell-box", "room-with-door", "furnace");
+    const int width = GENERATE(1, 4, 8, 16);
+    const World world = world_at(small(load_scene(name)), 0);
+    const RayTracer tracer(world, width);
+    const std::vector<Ray> rays = rays_in(tracer);
+    // Between the starts of rays, and from one to itself, where nothing can lie between.
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        segments.push_back({rays[i].origin, rays[i * 7 % rays.size()].origin});
+    }
+    const auto hidden = std::make_unique<bool[]>(segments.size());
+    tracer.occluded(segments, {hidden.get(), segments.size()});
+    std::size_t different = 0, behind = 0;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        different += hidden[i] == tracer.occluded(segments[i].a, segments[i].b) ? 0u : 1u;
+        behind += hidden[i] ? 1u : 0u;
+    }
+    CHECK(different == 0);
+    CHECK(behind > 0);
+    CHECK(behind < segments.size());
+}
+
+TEST_CASE("a ray in a packet does not meet the surface that it starts on", "[scenes][rays]") {
+    Scene scene;
+    scene.name = "floor";
+    scene.materials = {{}};
+    Object object;
+    object.name = "floor";
+    object.shape = Quad{{-1.f, 0.f, -1.f}, {0.f, 0.f, 2.f}, {2.f, 0.f, 0.f}, 0};
+    scene.objects = {object};
+    const World world = world_at(scene, 0);
+    const RayTracer tracer(world, GENERATE(1, 4, 8, 16));
+    const glm::vec3 down = glm::normalize(glm::vec3(.3f, -.8f, .1f));
+    const std::vector<Ray> rays(21, {{.25f, 0.f, .5f}, down});
+    std::vector<std::optional<Hit>> hits(rays.size());
+    tracer.intersect(rays, BackFaces::Hit, Coherence::Incoherent, hits);
+    for (const auto& hit : hits) CHECK_FALSE(hit);
+}
+
+}  // namespace plumbline
