@@ -109,8 +109,8 @@ void add_probe_options(CLI::App& command, Arguments& arguments) {
         ->check(CLI::IsMember({"on", "off"}));
     command.add_flag("--no-cache", arguments.no_cache, "Place every surfel afresh each frame");
     command.add_option("--shadow-rays", options.shadow_rays,
-                       "Shadow rays a pixel sample and light; lights have no size, so all are the "
-                       "same ray (default: 1)");
+                       "Shadow rays a pixel sample and light: the more, the smoother the soft "
+                       "shadows of lights with a radius (default: 1)");
     command.add_option("--updates", options.updates,
                        "Probe updates at the last frame (default: until converged)");
     command.add_option("--spacing", options.spacing,

@@ -16,7 +16,10 @@ struct DirectLight {
 /// At `position`, just off a surface with unit normal `n`, with `rays` shadow rays a light: the
 /// sum over lights of E_light max(n . l, 0) times the share of rays that arrive.
 ///
-/// A light without size is seen from a point whole or not at all, so its rays are all the same.
+/// A light without size is seen from a point whole or not at all, so its rays are all the same; one
+/// far away takes a single ray. Rays to a light with a radius are spread evenly over the solid
+/// angle that it fills, without bias at any number of rays: the more rays, the smoother its soft
+/// shadow.
 DirectLight direct_light(const RayTracer& tracer, const glm::vec3& position, const glm::vec3& n,
                          int rays = 1);
 

@@ -28,7 +28,8 @@ Motion motion_between(const World& before, const World& after) {
         if (!was.bounds.empty()) motion.boxes.push_back(with_margin(was.bounds));
         if (!is.bounds.empty()) motion.boxes.push_back(with_margin(is.bounds));
     }
-    motion.lights = before.lights != after.lights;
+    motion.lights =
+        before.lights != after.lights || before.directional_lights != after.directional_lights;
     return motion;
 }
 

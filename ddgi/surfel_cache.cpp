@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <utility>
 
 #include "ddgi/direct_light.h"
@@ -20,9 +21,11 @@ float ray_length(Reach reach, float spacing, const glm::vec3& direction) {
     return spacing / max_component(glm::abs(direction));
 }
 
-bool any_meets(const Motion& motion, const Ray& ray, float length) {
+/// Whether a moved box meets the ray, or comes as near to it as `radius`: rays towards a ball stay
+/// within its radius of the ray to its centre.
+bool any_meets(const Motion& motion, const Ray& ray, float length, float radius = 0.f) {
     return std::ranges::any_of(motion.boxes, [&](const Bounds& box) {
-        return meets(box, ray.origin, ray.direction, length);
+        return meets(box.grown(radius), ray.origin, ray.direction, length);
     });
 }
 
@@ -122,10 +125,17 @@ void SurfelCache::place(const RayTracer& tracer, std::size_t surfel) {
 void SurfelCache::mark_shadows(const World& world, const Motion& motion) {
     const Stopwatch watch;
     const auto in_touched_light = [&](std::size_t surfel) {
-        return std::ranges::any_of(world.lights, [&](const PointLight& light) {
-            const glm::vec3& position = surfels_.position[surfel];
-            return any_meets(motion, {position, light.position - position}, 1.f);
-        });
+        const glm::vec3& position = surfels_.position[surfel];
+        return std::ranges::any_of(world.lights,
+                                   [&](const PointLight& light) {
+                                       return any_meets(motion,
+                                                        {position, light.position - position}, 1.f,
+                                                        light.radius);
+                                   }) ||
+               std::ranges::any_of(world.directional_lights, [&](const DirectionalLight& light) {
+                   return any_meets(motion, {position, -light.direction},
+                                    std::numeric_limits<float>::infinity());
+               });
     };
     for_probes(surfels_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t surfel = begin; surfel < end; ++surfel) {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "pathtracer/kernels.h"
+
 namespace plumbline::pathtracer {
 namespace {
 
@@ -24,14 +26,13 @@ bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Calls `f` with the kernel's template argument for `effects`, F of F{bits} for each set there is.
-template <unsigned bits = 0, typename Function>
+/// Calls `f` with the template argument of the smallest kernel there is for `effects`.
+template <std::size_t kernel = 0, typename Function>
 void with_effects(Effects effects, const Function& f) {
-    constexpr Effects all =
-        Effects{} | Effect::PointLights | Effect::Emission | Effect::Environment;
-    if constexpr (bits <= all.bits) {
-        if (effects.bits == bits) return f.template operator()<Effects{bits}>();
-        with_effects<bits + 1>(effects, f);
+    if constexpr (kernel < kernels.size()) {
+        constexpr Effects F = kernels[kernel];
+        if (covers(F, effects)) return f.template operator()<F>();
+        with_effects<kernel + 1>(effects, f);
     } else {
         assert(!"an effect that the path tracer has no kernel for");
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pathtracer/hemisphere.h"
+#include "pathtracer/lights.h"
 #include "pathtracer/path.h"
 #include "pathtracer/sampler.h"
 #include "scenes/effects.h"
@@ -40,20 +41,15 @@ struct LightSamples {
     }
 };
 
-/// Adds to `samples` the radiance that the surface at `hit` scatters from each point light, seen
-/// from its side `n`; shadow rays start at `origin`.
-inline void sample_point_lights(const World& world, const Hit& hit, const glm::vec3& n,
-                                const glm::vec3& origin, const Walk& walk, LightSamples& samples) {
+/// Adds to `samples` the radiance that the surface at `hit` scatters from each light, seen from its
+/// side `n`; shadow rays start at `origin`.
+template <Effects F>
+void add_lights(const World& world, const Hit& hit, const glm::vec3& n, const glm::vec3& origin,
+                Walk& walk, LightSamples& samples) {
     const Spectrum f_beta = walk.beta * hit.albedo * std::numbers::inv_pi_v<float>;
-    for (const PointLight& light : world.lights) {
-        const glm::vec3 to_light = light.position - hit.position;
-        const float d_cosine = glm::dot(n, to_light);
-        // Also leaves out a light exactly on the surface, towards which there is no direction.
-        if (d_cosine <= 0.f) continue;
-        const float d2 = glm::dot(to_light, to_light);
-        const Spectrum E = normal_irradiance(light, d2) * (d_cosine / std::sqrt(d2));
-        samples.add({origin, light.position}, {f_beta * E, walk.path});
-    }
+    sample_lights<F>(world, hit, n, origin, walk.sampler, [&](const SampledLight& light) {
+        samples.add({origin, light.target}, {f_beta * light.E, walk.path});
+    });
 }
 
 /// True if roulette lets the path of `walk` live on; its throughput then makes up for those ended.
@@ -71,8 +67,8 @@ inline bool survives_roulette(Walk& walk, const PathOptions& options) {
 /// emission and environment to `path`, light samples to `samples`, and leaves in `ray` and `walk`
 /// the way on. False if the path ends here.
 ///
-/// Unbiased for the radiance that is scattered at most `options.max_scatterings` times. Point
-/// lights are sampled at every surface; emission and environment count where a path meets them.
+/// Unbiased for the radiance that is scattered at most `options.max_scatterings` times.
+/// Lights are sampled at every surface; emission and environment count where a path meets them.
 /// Code for an effect outside F is compiled out; F must cover effects_of() the scene.
 template <Effects F>
 bool shade_vertex(const World& world, const PathOptions& options, int scatterings,
@@ -92,9 +88,7 @@ bool shade_vertex(const World& world, const PathOptions& options, int scattering
     if (scatterings == options.max_scatterings) return false;
     const glm::vec3 n = hit->n();
     const glm::vec3 origin = offset_origin(*hit, n);
-    if constexpr (has(F, Effect::PointLights)) {
-        sample_point_lights(world, *hit, n, origin, walk, samples);
-    }
+    if constexpr (has_any(F, any_light)) add_lights<F>(world, *hit, n, origin, walk, samples);
     // Without these, nothing that the last ray could meet would count.
     if (!surfaces_or_sky_shine && scatterings + 1 == options.max_scatterings) return false;
 

@@ -31,6 +31,8 @@ class Checked {
     }
     /// Refuses values below zero, such as negative power.
     void expect_not_negative(std::string_view member, const Spectrum& value) const;
+    /// Refuses a direction that is not finite or has length zero.
+    void expect_direction(std::string_view member, const glm::vec3& value) const;
     void expect_albedo(std::string_view member, const Spectrum& value) const;
     void expect_index(std::string_view member, int index, std::size_t count,
                       const std::string& what) const;
@@ -46,5 +48,6 @@ class Checked {
 void check_materials(const Scene& scene, const PlaceOf& place_of);
 void check_meshes(const Scene& scene, const PlaceOf& place_of);
 void check_objects(const Scene& scene, const PlaceOf& place_of);
+void check_lights(const Scene& scene, const PlaceOf& place_of);
 
 }  // namespace plumbline

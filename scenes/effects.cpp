@@ -15,6 +15,13 @@ bool dark(const PointLight& light) {
     return dark(light.falloff == Falloff::None ? light.white_radiance : light.intensity);
 }
 
+bool dark(const DirectionalLight& light) { return dark(light.irradiance); }
+
+Effect kind_of(const PointLight& light) {
+    if (light.cone) return Effect::SpotLights;
+    return light.radius > 0.f ? Effect::SphereLights : Effect::PointLights;
+}
+
 /// The materials on which a ray can land.
 std::set<int> materials_in_use(const Scene& scene) {
     std::set<int> used;
@@ -41,9 +48,14 @@ std::size_t count_materials(const Scene& scene, const Predicate& predicate) {
     }));
 }
 
-std::size_t shining_lights(const Scene& scene) {
-    return static_cast<std::size_t>(std::count_if(scene.lights.begin(), scene.lights.end(),
-                                                  [](const PointLight& l) { return !dark(l); }));
+std::size_t shining_lights(const Scene& scene, Effect kind) {
+    if (kind == Effect::DirectionalLights) {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            scene.directional_lights, [](const DirectionalLight& light) { return !dark(light); }));
+    }
+    return static_cast<std::size_t>(std::ranges::count_if(
+        scene.lights,
+        [&](const PointLight& light) { return kind_of(light) == kind && !dark(light); }));
 }
 
 std::size_t emitting_materials(const Scene& scene) {
@@ -55,14 +67,10 @@ std::string counted(std::size_t count, const std::string& what, const std::strin
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : plural);
 }
 
-EffectReason point_lights(const Scene& scene) {
-    const std::size_t shining = shining_lights(scene);
-    if (shining == 0) {
-        return {"point lights", false,
-                scene.lights.empty() ? "no light: no shadow ray is traced"
-                                     : "all lights have zero power: no shadow ray is traced"};
-    }
-    return {"point lights", true, counted(shining, "light") + " with power"};
+EffectReason lights(const Scene& scene, Effect kind, const std::string& name) {
+    const std::size_t shining = shining_lights(scene, kind);
+    if (shining > 0) return {name + "s", true, counted(shining, name) + " with power"};
+    return {name + "s", false, "no " + name + " with power: no shadow ray is traced to one"};
 }
 
 EffectReason emission(const Scene& scene) {
@@ -120,15 +128,26 @@ EffectReason interreflection(const Scene& scene) {
 
 Effects effects_of(const Scene& scene) {
     Effects effects;
-    if (shining_lights(scene) > 0) effects = effects | Effect::PointLights;
+    for (const Effect kind : {Effect::PointLights, Effect::SphereLights, Effect::SpotLights,
+                              Effect::DirectionalLights}) {
+        if (shining_lights(scene, kind) > 0) effects = effects | kind;
+    }
     if (emitting_materials(scene) > 0) effects = effects | Effect::Emission;
     if (!dark(scene.environment)) effects = effects | Effect::Environment;
     return effects;
 }
 
 std::vector<EffectReason> effect_reasons(const Scene& scene) {
-    return {point_lights(scene), emission(scene),      environment(scene), interreflection(scene),
-            two_sided(scene),    vertex_albedo(scene), animation(scene)};
+    return {lights(scene, Effect::PointLights, "point light"),
+            lights(scene, Effect::SphereLights, "sphere light"),
+            lights(scene, Effect::SpotLights, "spot light"),
+            lights(scene, Effect::DirectionalLights, "directional light"),
+            emission(scene),
+            environment(scene),
+            interreflection(scene),
+            two_sided(scene),
+            vertex_albedo(scene),
+            animation(scene)};
 }
 
 }  // namespace plumbline

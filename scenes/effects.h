@@ -11,9 +11,12 @@ namespace plumbline {
 /// What a scene may call for; kernels take the set as a template argument, so that what a scene
 /// does not call for is compiled out.
 enum class Effect : unsigned {
-    PointLights = 1u << 0,
+    PointLights = 1u << 0,  ///< without size, alike in every direction
     Emission = 1u << 1,
     Environment = 1u << 2,
+    SphereLights = 1u << 3,  ///< point lights with a radius
+    SpotLights = 1u << 4,
+    DirectionalLights = 1u << 5,
 };
 
 /// A set of Effect, usable as a template argument.
@@ -25,6 +28,9 @@ struct Effects {
 constexpr bool has(Effects effects, Effect effect) {
     return (effects.bits & static_cast<unsigned>(effect)) != 0;
 }
+/// Whether everything in `some` is in `all` too.
+constexpr bool covers(Effects all, Effects some) { return (some.bits & ~all.bits) == 0; }
+constexpr Effects operator|(Effects a, Effects b) { return {a.bits | b.bits}; }
 constexpr Effects operator|(Effects effects, Effect effect) {
     return {effects.bits | static_cast<unsigned>(effect)};
 }

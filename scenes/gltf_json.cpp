@@ -2,6 +2,7 @@
 #include "scenes/gltf_json.h"
 
 #include <algorithm>
+#include <glm/gtc/quaternion.hpp>
 
 namespace plumbline {
 
@@ -10,6 +11,19 @@ OrderedJson under_plumbline(OrderedJson extras) { return {{"plumbline", std::mov
 OrderedJson colour_of(const Spectrum& light, float strength) {
     const double d{strength};
     return {light.r / d, light.g / d, light.b / d};
+}
+
+OrderedJson gltf_light(const std::string& name, const char* type, const Spectrum& power) {
+    const float strength = max_component(power);
+    return {{"name", name},
+            {"type", type},
+            {"color", strength > 0.f ? colour_of(power, strength) : OrderedJson{1, 1, 1}},
+            {"intensity", strength}};
+}
+
+glm::quat rotation_towards(const glm::vec3& direction) {
+    const glm::vec3 unit(glm::normalize(glm::dvec3(direction)));
+    return glm::normalize(glm::quat(glm::vec3(0.f, 0.f, -1.f), unit));
 }
 
 OrderedJson gltf_material(const Material& material) {

@@ -12,6 +12,11 @@ OrderedJson under_plumbline(OrderedJson extras);
 /// floats.
 OrderedJson colour_of(const Spectrum& light, float strength);
 
+/// A light of KHR_lights_punctual without what its type adds.
+OrderedJson gltf_light(const std::string& name, const char* type, const Spectrum& power);
+/// The rotation that turns -z, where glTF's lights and cameras point, to `direction`.
+glm::quat rotation_towards(const glm::vec3& direction);
+
 OrderedJson gltf_material(const Material& material);
 
 /// The exact shape that a mesh stands for, for the mesh's extras.

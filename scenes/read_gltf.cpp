@@ -38,6 +38,7 @@ std::string gltf_place(const GltfBeingRead& gltf, std::string_view list, std::si
     if (list == "meshes") pointer = gltf.mesh_places[index];
     if (list == "objects") pointer = gltf.object_places[index];
     if (list == "lights") pointer = gltf.light_places[index];
+    if (list == "directional_lights") pointer = gltf.directional_light_places[index];
     return member.empty() ? pointer : fmt::format("{}: {}", pointer, member);
 }
 

@@ -45,7 +45,7 @@ struct GltfBeingRead {
     std::optional<int> default_material;
     UniqueNames mesh_names, material_names, object_names, light_names;
     /// For each of scene.meshes, objects and lights, the JSON pointer where it is written.
-    std::vector<std::string> mesh_places, object_places, light_places;
+    std::vector<std::string> mesh_places, object_places, light_places, directional_light_places;
     std::string camera_place;
     bool frames_given = false;
     /// For each node its parent, -1 at the top; none for nodes that are not shown.
@@ -73,6 +73,16 @@ void read_gltf_nodes(GltfBeingRead& gltf);
 void read_gltf_animation(GltfBeingRead& gltf);
 /// Lights and cameras where they are at frame 0; needs the nodes and the animation.
 void read_gltf_carried(GltfBeingRead& gltf);
+
+/// A node that carries a light or a camera, and where it is at frame 0.
+struct GltfCarrier {
+    std::size_t index;
+    const JsonView& node;
+    glm::mat4 to_world;
+    bool moves;
+};
+/// Adds the light of this index that the node carries.
+void read_gltf_light(const JsonView& reference, const GltfCarrier& at, GltfBeingRead& gltf);
 
 /// A node's own transform.
 Transform gltf_transform(const JsonView& node);

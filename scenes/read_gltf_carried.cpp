@@ -14,17 +14,9 @@
 namespace plumbline {
 namespace {
 
-/// A node that carries something, and where it is at frame 0.
-struct Carrier {
-    std::size_t index;
-    const JsonView& node;
-    glm::mat4 to_world;
-    bool moves;
-};
-
 /// Follows the node and its ancestors up to the top.
-Carrier carrier(std::size_t index, const GltfBeingRead& gltf) {
-    Carrier result{index, gltf.nodes[index], glm::mat4(1.f), false};
+GltfCarrier carrier(std::size_t index, const GltfBeingRead& gltf) {
+    GltfCarrier result{index, gltf.nodes[index], glm::mat4(1.f), false};
     for (int node = static_cast<int>(index); node != -1;) {
         const auto i = static_cast<std::size_t>(node);
         Transform transform = gltf_transform(gltf.nodes[i]);
@@ -38,35 +30,6 @@ Carrier carrier(std::size_t index, const GltfBeingRead& gltf) {
         node = *gltf.parents[i];
     }
     return result;
-}
-
-void read_light(const JsonView& reference, const Carrier& at, GltfBeingRead& gltf) {
-    const JsonView& item =
-        gltf.lights[static_cast<std::size_t>(reference.index(gltf.lights.size(), "light"))];
-    const std::string name = gltf.light_names(at.node, "light", at.index);
-    const std::string type = item.at("type").text();
-    const std::string who = "light " + in_quotes(name) + ": ";
-    if (type != "point") return gltf.note(who + type + " light; left out");
-    if (item.find("range")) gltf.note(who + "range; it shines at any distance");
-    if (at.moves) gltf.note(who + "its motion; it stays where it is at frame 0");
-    PointLight light;
-    light.name = name;
-    light.position = glm::vec3(at.to_world[3]);
-    const auto intensity = item.find("intensity");
-    const auto colour = item.find("color");
-    const std::vector<double> rgb = colour ? colour->numbers(3) : std::vector<double>(3, 1.);
-    const double power = intensity ? intensity->number() : 1.;
-    for (int c = 0; c < 3; ++c) {
-        light.intensity[c] = static_cast<float>(rgb[static_cast<std::size_t>(c)] * power);
-    }
-    if (const auto extras = plumbline_extras(item)) {
-        extras->expect_keys({"white_radiance"});
-        light.falloff = Falloff::None;
-        light.white_radiance = extras->at("white_radiance").vec3_or_number();
-        light.intensity = Spectrum(0.f);
-    }
-    gltf.scene.lights.push_back(std::move(light));
-    gltf.light_places.push_back(item.pointer());
 }
 
 /// The camera as its extras tell it exactly, if it is still where they say.
@@ -84,7 +47,7 @@ std::optional<Camera> exact_camera(const JsonView& item, const Camera& seen) {
     return moved || turned ? std::nullopt : std::optional(exact);
 }
 
-void read_camera_of(const JsonView& reference, const Carrier& at, GltfBeingRead& gltf) {
+void read_camera_of(const JsonView& reference, const GltfCarrier& at, GltfBeingRead& gltf) {
     const JsonView& item =
         gltf.cameras[static_cast<std::size_t>(reference.index(gltf.cameras.size(), "camera"))];
     const auto perspective = item.find("perspective");
@@ -133,8 +96,8 @@ void read_gltf_carried(GltfBeingRead& gltf) {
         const auto light = gltf_light_of(gltf.nodes[i]);
         const auto camera = gltf.nodes[i].find("camera");
         if (!gltf.parents[i] || (!light && !camera)) continue;
-        const Carrier at = carrier(i, gltf);
-        if (light) read_light(*light, at, gltf);
+        const GltfCarrier at = carrier(i, gltf);
+        if (light) read_gltf_light(*light, at, gltf);
         if (camera) read_camera_of(*camera, at, gltf);
     }
     if (gltf.camera_place.empty()) place_camera(gltf);

@@ -27,44 +27,12 @@ void read_materials(const JsonView& list, SceneBeingRead& into) {
     }
 }
 
-PointLight read_light(const JsonView& item, std::size_t index) {
-    item.expect_keys({"name", "position", "falloff", "intensity", "white_radiance"});
-    PointLight light;
-    const auto name = item.find("name");
-    light.name = name ? name->text() : fmt::format("light {}", index);
-    light.position = item.at("position").vec3();
-    const auto falloff = item.find("falloff");
-    const std::string law = falloff ? falloff->text() : "inverse_square";
-    if (law == "inverse_square") {
-        if (const auto wrong = item.find("white_radiance")) {
-            wrong->fail("does not go with falloff inverse_square",
-                        "give \"intensity\", in W/sr, or set \"falloff\" to \"none\"");
-        }
-        light.intensity = item.at("intensity").vec3_or_number();
-    } else if (law == "none") {
-        light.falloff = Falloff::None;
-        if (const auto wrong = item.find("intensity")) {
-            wrong->fail("does not go with falloff none",
-                        "give \"white_radiance\", the radiance of a white surface that faces it");
-        }
-        light.white_radiance = item.at("white_radiance").vec3_or_number();
-    } else {
-        const std::string laws[] = {"inverse_square", "none"};
-        falloff->fail("there is no falloff " + in_quotes(law), did_you_mean(law, laws));
-    }
-    return light;
-}
-
 void read_parts(const JsonView& root, SceneBeingRead& into) {
     Scene& scene = into.scene;
     if (const auto list = root.find("materials")) read_materials(*list, into);
     if (const auto list = root.find("meshes")) read_meshes(*list, into);
     if (const auto list = root.find("objects")) read_objects(*list, into);
-    if (const auto list = root.find("lights")) {
-        for (const JsonView& item : list->items()) {
-            scene.lights.push_back(read_light(item, scene.lights.size()));
-        }
-    }
+    if (const auto list = root.find("lights")) read_lights(*list, into);
     scene.camera = read_camera(root.at("camera"));
     read_settings(root, scene);
 }
@@ -74,7 +42,8 @@ void read_parts(const JsonView& root, SceneBeingRead& into) {
 std::string json_place(const SceneBeingRead& read, std::string_view list, std::size_t index,
                        std::string_view member) {
     std::string pointer = fmt::format("/{}", list);
-    if (list == "lights") pointer += fmt::format("/{}", index);
+    if (list == "lights") pointer = read.light_places[index];
+    if (list == "directional_lights") pointer = read.directional_light_places[index];
     if (list == "materials") pointer = read.material_places[index];
     if (list == "meshes") pointer = read.mesh_places[index];
     if (list == "objects") pointer = read.object_places[index];

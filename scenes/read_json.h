@@ -28,10 +28,13 @@ struct SceneBeingRead {
     Scene scene;
     std::map<std::string, int> materials;
     std::map<std::string, int> meshes;
-    /// For each of scene.materials, meshes and objects, the JSON pointer where it is written.
+    /// For each of scene.materials, meshes, objects and lights, the JSON pointer where it is
+    /// written.
     std::vector<std::string> material_places;
     std::vector<std::string> mesh_places;
     std::vector<std::string> object_places;
+    std::vector<std::string> light_places;
+    std::vector<std::string> directional_light_places;
 
     /// The material that a text names. Throws SceneError.
     int material(const JsonView& name) const { return find_name(name, materials, "material"); }
@@ -42,6 +45,7 @@ struct SceneBeingRead {
 /// The parts of read_json_scene.
 void read_meshes(const JsonView& list, SceneBeingRead& into);
 void read_objects(const JsonView& list, SceneBeingRead& into);
+void read_lights(const JsonView& list, SceneBeingRead& into);
 
 /// Gives the scene's last object its mesh: a name, {"positions", "triangles", ...}, or {"file"}.
 void read_object_mesh(const JsonView& mesh, SceneBeingRead& into);

@@ -84,18 +84,43 @@ enum class Falloff {
     None,           ///< E = pi white_radiance at any distance: the light of [Dellson 2023]
 };
 
-/// A light without size that shines alike in every direction.
+/// What makes a point light a spot: whole up to `inner_angle` off the axis, nothing from
+/// `outer_angle` on, and between them the square of a ramp in the cosine
+/// [glTF KHR_lights_punctual, "Inner and Outer Cone Angles"].
+struct SpotCone {
+    glm::vec3 direction{0.f, -1.f, 0.f};  ///< of the axis, away from the light; of any length
+    float inner_angle = 0.f;              ///< radians; 0 <= inner < outer <= pi / 2
+    float outer_angle = 0.785398f;        ///< radians
+    bool operator==(const SpotCone&) const = default;
+};
+
+/// A light at a point, or an even ball of light around it, that rays pass through: it is not seen
+/// and throws no shadow.
+///
+/// A ball's radiance is such that it lights what faces its centre like the point does:
+/// normal_irradiance / (pi sin^2 a), a the angle of its radius. It shines outward only.
 struct PointLight {
     std::string name;
     glm::vec3 position{0.f};
     Falloff falloff = Falloff::InverseSquare;
-    Spectrum intensity{0.f};       ///< radiant intensity, W sr^-1; with InverseSquare
-    Spectrum white_radiance{0.f};  ///< radiance of a white surface that faces it; with None
+    Spectrum intensity{0.f};         ///< radiant intensity, W sr^-1; with InverseSquare
+    Spectrum white_radiance{0.f};    ///< radiance of a white surface that faces it; with None
+    float radius = 0.f;              ///< of the ball; 0 for a point
+    std::optional<SpotCone> cone{};  ///< none: alike in every direction
     bool operator==(const PointLight&) const = default;
 };
 
-/// Irradiance at normal incidence, W m^-2, at the squared distance `d2` from the light.
-Spectrum normal_irradiance(const PointLight& light, float d2);
+/// Irradiance at normal incidence, W m^-2, of a point from which `to_light` leads to the centre of
+/// the light. A cone's direction must have unit length, as world_at() gives it.
+Spectrum normal_irradiance(const PointLight& light, const glm::vec3& to_light);
+
+/// A light so far away that it comes from one direction, alike everywhere.
+struct DirectionalLight {
+    std::string name;
+    glm::vec3 direction{0.f, -1.f, 0.f};  ///< in which the light travels; of any length
+    Spectrum irradiance{0.f};             ///< at normal incidence, W m^-2
+    bool operator==(const DirectionalLight&) const = default;
+};
 
 /// A pinhole camera; `up` need not be perpendicular to the view.
 struct Camera {
@@ -136,6 +161,7 @@ struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Object> objects;
     std::vector<PointLight> lights;
+    std::vector<DirectionalLight> directional_lights;
     Spectrum environment{0.f};  ///< radiance of rays that leave the scene, W m^-2 sr^-1
     Camera camera;
     int report_frame = 0;  ///< the frame that shows what the scene is about; in [0, frames)

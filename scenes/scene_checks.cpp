@@ -24,6 +24,11 @@ void Checked::expect_not_negative(std::string_view member, const Spectrum& value
     }
 }
 
+void Checked::expect_direction(std::string_view member, const glm::vec3& value) const {
+    expect_finite(member, value);
+    if (value == glm::vec3(0.f)) fail(member, "has length zero", "[0, -1, 0] is straight down");
+}
+
 void Checked::expect_albedo(std::string_view member, const Spectrum& value) const {
     expect_finite(member, value);
     if (min_component(value) >= 0.f && max_component(value) <= 1.f) return;
@@ -46,18 +51,6 @@ void Checked::expect_new_name(const std::string& name, std::set<std::string>& se
 }
 
 namespace {
-
-void check_lights(const Scene& scene, const PlaceOf& place_of) {
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const PointLight& light = scene.lights[i];
-        const Checked checked(place_of, "lights", i);
-        checked.expect_new_name(light.name, names);
-        checked.expect_finite("position", light.position);
-        checked.expect_not_negative("intensity", light.intensity);
-        checked.expect_not_negative("white_radiance", light.white_radiance);
-    }
-}
 
 void check_camera(const Camera& camera, const PlaceOf& place_of) {
     const Checked checked(place_of, "camera");

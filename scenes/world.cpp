@@ -19,6 +19,9 @@ glm::vec3 transformed(const glm::mat4& m, const glm::vec3& p) {
     return glm::vec3(m * glm::vec4(p, 1.f));
 }
 
+/// In double, where the square of no float overflows or vanishes.
+glm::vec3 unit(const glm::vec3& v) { return glm::vec3(glm::normalize(glm::dvec3(v))); }
+
 WorldMesh world_mesh(const Mesh& mesh, const glm::mat4& to_world, int object) {
     WorldMesh result{object, {}, mesh.vertex_albedo, mesh.triangles, mesh.triangle_materials};
     result.positions.reserve(mesh.positions.size());
@@ -94,6 +97,13 @@ World world_at(const Scene& scene, int frame) {
     world.frame = frame;
     world.materials = scene.materials;
     world.lights = scene.lights;
+    for (PointLight& light : world.lights) {
+        if (light.cone) light.cone->direction = unit(light.cone->direction);
+    }
+    world.directional_lights = scene.directional_lights;
+    for (DirectionalLight& light : world.directional_lights) {
+        light.direction = unit(light.direction);
+    }
     world.environment = scene.environment;
     world.camera = scene.camera;
     world.objects.reserve(scene.objects.size());
@@ -106,6 +116,8 @@ World world_at(const Scene& scene, int frame) {
         world.objects.push_back({object.name, to_world, {}});
         add_shape(world, scene, static_cast<int>(world.objects.size()) - 1);
     }
+    const Bounds bounds = world.bounds();
+    if (!bounds.empty()) world.reach = 2.f * glm::length(bounds.size());
     return world;
 }
 

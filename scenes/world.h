@@ -38,9 +38,11 @@ struct World {
     std::vector<WorldMesh> meshes;
     std::vector<WorldSphere> spheres;
     std::vector<Material> materials;
-    std::vector<PointLight> lights;
+    std::vector<PointLight> lights;                    ///< cones along unit directions
+    std::vector<DirectionalLight> directional_lights;  ///< unit directions
     Spectrum environment{0.f};
     Camera camera;
+    float reach = 1.f;  ///< farther than any two points of surfaces are apart
 
     Bounds bounds() const;
     std::size_t triangle_count() const;

@@ -31,6 +31,8 @@ class GltfWriter {
     std::optional<int> mesh_index(const Object& object);
     OrderedJson object_json(const Object& object);
     void add_light(const PointLight& light);
+    void add_light(const DirectionalLight& light);
+    void add_light(OrderedJson light, OrderedJson node);
     template <typename T>
     void add_track(std::size_t node, const char* path, const Track<T>& track, int output);
     void add_animation();
@@ -98,19 +100,37 @@ OrderedJson GltfWriter::object_json(const Object& object) {
 /// typical distance.
 void GltfWriter::add_light(const PointLight& light) {
     Spectrum intensity = light.intensity;
-    OrderedJson json = {{"name", light.name}, {"type", "point"}};
+    OrderedJson extras;
     if (light.falloff == Falloff::None) {
         intensity = glm::pi<float>() * light.white_radiance * typical_distance_ * typical_distance_;
-        json["extras"] = under_plumbline({{"white_radiance", shortest(light.white_radiance)}});
+        extras["white_radiance"] = shortest(light.white_radiance);
     }
-    const float strength = max_component(intensity);
-    json["color"] = strength > 0.f ? colour_of(intensity, strength) : OrderedJson{1, 1, 1};
-    json["intensity"] = strength;
+    if (light.radius > 0.f) extras["radius"] = shortest(light.radius);
+    OrderedJson json = gltf_light(light.name, light.cone ? "spot" : "point", intensity);
+    OrderedJson node = {{"translation", shortest(light.position)}};
+    if (light.cone) {
+        json["spot"] = {{"innerConeAngle", light.cone->inner_angle},
+                        {"outerConeAngle", light.cone->outer_angle}};
+        extras["direction"] = shortest(light.cone->direction);
+        node["rotation"] = shortest(rotation_towards(light.cone->direction));
+    }
+    if (!extras.empty()) json["extras"] = under_plumbline(std::move(extras));
+    add_light(std::move(json), std::move(node));
+}
+
+void GltfWriter::add_light(const DirectionalLight& light) {
+    OrderedJson json = gltf_light(light.name, "directional", light.irradiance);
+    json["extras"] = under_plumbline({{"direction", shortest(light.direction)}});
+    add_light(std::move(json), {{"rotation", shortest(rotation_towards(light.direction))}});
+}
+
+/// Adds a light and the node that carries it.
+void GltfWriter::add_light(OrderedJson light, OrderedJson node) {
+    node["name"] = light["name"];
+    node["extensions"]["KHR_lights_punctual"]["light"] = lights_.size();
     roots_.push_back(nodes_.size());
-    nodes_.push_back({{"name", light.name},
-                      {"translation", shortest(light.position)},
-                      {"extensions", {{"KHR_lights_punctual", {{"light", lights_.size()}}}}}});
-    lights_.push_back(std::move(json));
+    nodes_.push_back(std::move(node));
+    lights_.push_back(std::move(light));
 }
 
 template <typename T>
@@ -145,7 +165,9 @@ void GltfWriter::add_animation() {
 
 OrderedJson used_extensions(const Scene& scene) {
     OrderedJson used = OrderedJson::array();
-    if (!scene.lights.empty()) used.push_back("KHR_lights_punctual");
+    if (!scene.lights.empty() || !scene.directional_lights.empty()) {
+        used.push_back("KHR_lights_punctual");
+    }
     const bool bright = std::any_of(
         scene.materials.begin(), scene.materials.end(),
         [](const Material& material) { return max_component(material.emission) > 1.f; });
@@ -166,6 +188,7 @@ OrderedJson GltfWriter::file(const std::string& buffer_name) {
         if (parent != -1) nodes_[static_cast<std::size_t>(parent)]["children"].push_back(i);
     }
     for (const PointLight& light : scene_.lights) add_light(light);
+    for (const DirectionalLight& light : scene_.directional_lights) add_light(light);
     roots_.push_back(nodes_.size());
     nodes_.push_back(gltf_camera_node(scene_.camera));
     add_animation();

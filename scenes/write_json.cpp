@@ -119,7 +119,9 @@ OrderedJson object_json(const Object& object, const Scene& scene) {
 }
 
 OrderedJson light_json(const PointLight& light) {
-    OrderedJson json = {{"name", light.name}, {"position", shortest(light.position)}};
+    OrderedJson json = {{"name", light.name}};
+    if (light.cone) json["type"] = "spot";
+    json["position"] = shortest(light.position);
     const bool physical = light.falloff == Falloff::InverseSquare;
     json["falloff"] = physical ? "inverse_square" : "none";
     if (physical) {
@@ -127,7 +129,20 @@ OrderedJson light_json(const PointLight& light) {
     } else {
         json["white_radiance"] = shortest(light.white_radiance);
     }
+    if (light.radius > 0.f) json["radius"] = shortest(light.radius);
+    if (light.cone) {
+        json["direction"] = shortest(light.cone->direction);
+        json["inner_angle"] = shortest_degrees(light.cone->inner_angle);
+        json["outer_angle"] = shortest_degrees(light.cone->outer_angle);
+    }
     return json;
+}
+
+OrderedJson light_json(const DirectionalLight& light) {
+    return {{"name", light.name},
+            {"type", "directional"},
+            {"direction", shortest(light.direction)},
+            {"irradiance", shortest(light.irradiance)}};
 }
 
 OrderedJson camera_json(const Camera& camera) {
@@ -181,6 +196,9 @@ OrderedJson settings_json(const Scene& scene) {
     if (!scene.length_unit.empty()) json["units"] = scene.length_unit;
     json["lights"] = OrderedJson::array();
     for (const PointLight& light : scene.lights) json["lights"].push_back(light_json(light));
+    for (const DirectionalLight& light : scene.directional_lights) {
+        json["lights"].push_back(light_json(light));
+    }
     json["environment"] = shortest(scene.environment);
     json["camera"] = camera_json(scene.camera);
     json["frames"] = scene.frames;

@@ -65,7 +65,12 @@ Scene awkward_scene() {
     scene.objects[6].animation.scale = {Interpolation::Linear, {5, 6}, {odd.vec(), glm::vec3(0)}};
     scene.lights = {{"none", odd.vec(), Falloff::None, Spectrum(0), odd.vec()},
                     {"physical", odd.vec(), Falloff::InverseSquare, 50.f * odd.vec(), Spectrum(0)},
-                    {"dark", odd.vec(), Falloff::InverseSquare, Spectrum(0), Spectrum(0)}};
+                    {"dark", odd.vec(), Falloff::InverseSquare, Spectrum(0), Spectrum(0)},
+                    {"ball", odd.vec(), Falloff::None, Spectrum(0), odd.vec(), odd.number(), {}},
+                    {"spot", odd.vec(), Falloff::InverseSquare, odd.vec(), Spectrum(0), 0.f,
+                     SpotCone{-3.f * odd.vec(), .3f * odd.number(), .5f + odd.number()}}};
+    scene.directional_lights = {{"sun", 7.f * odd.vec(), 9.f * odd.vec()},
+                                {"moon", {0, 0, 1}, Spectrum(0)}};
     scene.environment = odd.vec();
     scene.camera = {odd.vec(), 10.f * odd.vec(), {odd.number(), 1, 0}, odd.number(), 333, 77};
     scene.frames = 700;
@@ -88,7 +93,8 @@ bool same_world(const World& a, const World& b) {
         if (a.spheres[i].center != b.spheres[i].center) return false;
         if (a.spheres[i].radius != b.spheres[i].radius) return false;
     }
-    return a.materials == b.materials && a.lights == b.lights && a.camera == b.camera &&
+    return a.materials == b.materials && a.lights == b.lights &&
+           a.directional_lights == b.directional_lights && a.camera == b.camera &&
            a.environment == b.environment;
 }
 
@@ -140,9 +146,14 @@ TEST_CASE("an independent reader accepts what is written as glTF", "[scenes][fil
     CHECK(error.empty());
     CHECK(warning.empty());
     // A node more for each light and for the camera; a mesh more for each box, quad and sphere.
-    CHECK(model.nodes.size() == scene.objects.size() + scene.lights.size() + 1);
+    const std::size_t lights = scene.lights.size() + scene.directional_lights.size();
+    CHECK(model.nodes.size() == scene.objects.size() + lights + 1);
     CHECK(model.meshes.size() == scene.meshes.size() + 3);
-    CHECK(model.lights.size() == scene.lights.size());
+    CHECK(model.lights.size() == lights);
+    CHECK(model.lights.at(4).type == "spot");
+    CHECK(model.lights.at(4).spot.outerConeAngle ==
+          Approx(scene.lights[4].cone.value().outer_angle));
+    CHECK(model.lights.at(5).type == "directional");
     CHECK(model.animations.at(0).channels.size() == 3);
     const auto& colour =
         model.accessors[std::size_t(model.meshes[0].primitives[0].attributes.at("COLOR_0"))];
