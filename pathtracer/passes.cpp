@@ -54,11 +54,13 @@ Passes::Passes(const RayTracer& tracer, Effects effects, const PathOptions& opti
                std::uint64_t seed)
     : tracer_(tracer),
       effects_(effects),
+      emitters_(has(effects, Effect::EmitterSampling) ? new Emitters(tracer.world()) : nullptr),
       options_(options),
       seed_(seed),
       camera_rays_(tracer.world().camera),
       forward_(glm::normalize(tracer.world().camera.target - tracer.world().camera.eye)) {
     const Camera& camera = tracer.world().camera;
+    if (emitters_ && !emitters_->empty()) options_.emitters = emitters_.get();
     pixels_.resize(std::size_t(camera.width) * std::size_t(camera.height));
 }
 

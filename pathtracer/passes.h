@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -57,6 +58,7 @@ class Passes {
 
     const RayTracer& tracer_;
     Effects effects_;
+    std::unique_ptr<const Emitters> emitters_;  ///< null unless the effects aim at them
     PathOptions options_;
     std::uint64_t seed_;
     CameraRays camera_rays_;

@@ -24,7 +24,7 @@ class Wave {
 
     /// Adds a path from the camera ray `ray` to the next wave.
     void start(const Ray& ray, const Sampler& sampler) {
-        walks_.push_back({Spectrum(1.f), sampler, static_cast<std::uint32_t>(rays_.size())});
+        walks_.push_back({Spectrum(1.f), sampler, static_cast<std::uint32_t>(rays_.size()), {}});
         rays_.push_back(ray);
     }
 

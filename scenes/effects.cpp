@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/gtc/constants.hpp>
 #include <set>
+
+#include "scenes/world.h"
 
 namespace plumbline {
 namespace {
@@ -81,6 +84,46 @@ EffectReason emission(const Scene& scene) {
     return {"emission", true, counted(emitting, "emitting material") + " in use"};
 }
 
+/// Which part of all surface emits, at frame 0.
+double emitting_share(const Scene& scene) {
+    const World world = world_at(scene, 0);
+    double emitting = 0.;
+    double all = 0.;
+    const auto add = [&](int material, double area) {
+        all += area;
+        if (!dark(world.materials[std::size_t(material)].emission)) emitting += area;
+    };
+    for (const WorldMesh& mesh : world.meshes) {
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            const glm::uvec3& t = mesh.triangles[i];
+            const glm::dvec3 a(mesh.positions[t.x]);
+            add(mesh.triangle_materials[i],
+                glm::length(glm::cross(glm::dvec3(mesh.positions[t.y]) - a,
+                                       glm::dvec3(mesh.positions[t.z]) - a)) /
+                    2.);
+        }
+    }
+    for (const WorldSphere& sphere : world.spheres) {
+        add(sphere.material,
+            4. * glm::pi<double>() * double(sphere.radius) * double(sphere.radius));
+    }
+    return all > 0. ? emitting / all : 0.;
+}
+
+/// Paths that run into emitters at least every other time need not be aimed at them.
+constexpr double found_anyway = .5;
+
+EffectReason emitter_sampling(const Scene& scene) {
+    const std::string name = "aiming at emitters";
+    if (emitting_materials(scene) == 0) {
+        return {name, false, "no emitter: no multiple importance sampling"};
+    }
+    const double share = emitting_share(scene);
+    const std::string of_all = fmt::format("{:.2g} % of all surface emits", 100. * share);
+    if (share >= found_anyway) return {name, false, of_all + ": paths find it by themselves"};
+    return {name, true, of_all + ": paths aim at it too, by multiple importance sampling"};
+}
+
 EffectReason environment(const Scene& scene) {
     if (dark(scene.environment)) {
         return {"environment", false, "it is black: rays that leave the scene bring no light"};
@@ -133,6 +176,7 @@ Effects effects_of(const Scene& scene) {
         if (shining_lights(scene, kind) > 0) effects = effects | kind;
     }
     if (emitting_materials(scene) > 0) effects = effects | Effect::Emission;
+    if (emitter_sampling(scene).simulated) effects = effects | Effect::EmitterSampling;
     if (!dark(scene.environment)) effects = effects | Effect::Environment;
     return effects;
 }
@@ -143,6 +187,7 @@ std::vector<EffectReason> effect_reasons(const Scene& scene) {
             lights(scene, Effect::SpotLights, "spot light"),
             lights(scene, Effect::DirectionalLights, "directional light"),
             emission(scene),
+            emitter_sampling(scene),
             environment(scene),
             interreflection(scene),
             two_sided(scene),

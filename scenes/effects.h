@@ -17,6 +17,7 @@ enum class Effect : unsigned {
     SphereLights = 1u << 3,  ///< point lights with a radius
     SpotLights = 1u << 4,
     DirectionalLights = 1u << 5,
+    EmitterSampling = 1u << 6,  ///< aiming at surfaces that emit
 };
 
 /// A set of Effect, usable as a template argument.

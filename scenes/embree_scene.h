@@ -106,6 +106,8 @@ inline Hit EmbreeScene::hit(const Ray& ray, const Found& found) const {
     Hit hit = geometry.mesh != nullptr ? triangle_hit(*geometry.mesh, found)
                                        : sphere_hit(*geometry.sphere, ray, found.t);
     hit.t = found.t;
+    hit.geometry = found.geometry;
+    hit.primitive = found.primitive;
     hit.back = glm::dot(hit.ng, ray.direction) > 0.f;
     return hit;
 }

@@ -20,6 +20,8 @@ struct Hit {
     int object;    ///< index into World::objects
     int material;  ///< index into World::materials
     Spectrum albedo;
+    unsigned geometry;   ///< index into World::meshes and, behind them, World::spheres
+    unsigned primitive;  ///< the mesh's triangle; 0 for a sphere
 
     /// The unit normal on the side that was hit.
     glm::vec3 n() const { return back ? -ng : ng; }

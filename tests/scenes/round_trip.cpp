@@ -119,8 +119,8 @@ void check_round_trip(const Scene& scene, const std::string& ending) {
 TEST_CASE("a built-in scene that is written and read is the same to the bit", "[scenes][files]") {
     const std::string ending = GENERATE(".json", ".gltf");
     const auto names = builtin_scene_names();
-    CHECK(names == std::vector<std::string>{"cornell-box", "furnace", "integrating-sphere",
-                                            "room-with-door", "two-rooms"});
+    CHECK(names == std::vector<std::string>{"cornell-box", "courtyard", "emitters", "furnace",
+                                            "integrating-sphere", "room-with-door", "two-rooms"});
     for (const std::string& name : names) {
         INFO(name << ending);
         check_round_trip(load_scene(name), ending);

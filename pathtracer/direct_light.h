@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "pathtracer/hemisphere.h"
+#include "pathtracer/lights.h"
+#include "pathtracer/path_options.h"
+
+namespace plumbline::pathtracer {
+
+/// What shadow rays are traced for.
+inline constexpr Effects sampled = any_light | Effect::EmitterSampling;
+
+/// The share of one technique, of density `pdf`, in the light that another of density `other` finds
+/// too: what each finds, weighted so, adds up to all light.
+inline float balance_heuristic(float pdf, float other) { return pdf / (pdf + other); }
+
+/// How a path came to its present vertex: the last one's position and surface normal, and the
+/// density of its direction by solid angle.
+struct LastVertex {
+    glm::vec3 position;
+    glm::vec3 n;
+    float pdf;
+};
+
+/// The share of a path that runs into light by itself, where aiming has the density `aiming`.
+inline float share_of_meeting(Techniques techniques, const LastVertex& last, float aiming) {
+    if (techniques == Techniques::Both) return balance_heuristic(last.pdf, aiming);
+    return techniques == Techniques::MeetingOnly ? 1.f : 0.f;
+}
+
+/// Irradiance of radiance `L` from a direction of this cosine that was aimed at with density `pdf`,
+/// times the share of aiming in it.
+inline Spectrum aimed_irradiance(Techniques techniques, const Spectrum& L, float cosine,
+                                 float pdf) {
+    if (techniques == Techniques::MeetingOnly) return Spectrum(0.f);
+    const float other = techniques == Techniques::Both ? pdf_cosine_hemisphere(cosine) : 0.f;
+    // L cos / pdf, times the balance heuristic's pdf / (pdf + other).
+    return L * (cosine / (pdf + other));
+}
+
+/// Aims at an emitter from `position` on a surface of unit normal `n`. Draws numbers if there are
+/// emitters.
+inline SampledLight sample_emitters(const PathOptions& options, const glm::vec3& position,
+                                    const glm::vec3& n, Sampler& sampler) {
+    if (options.emitters == nullptr) return {};
+    const float choice = sampler.next_1d();
+    const auto sample = options.emitters->sample(position, n, choice, sampler.next_2d());
+    if (!sample) return {};
+    return {sample->target,
+            aimed_irradiance(options.techniques, sample->Le, sample->cosine, sample->pdf)};
+}
+
+/// Radiance of the surface at `hit`, of this emission, that counts for a path that met it after
+/// `scatterings`.
+template <Effects F>
+Spectrum met_emission(const Spectrum& Le, const PathOptions& options, int scatterings,
+                      const LastVertex& last, const Hit& hit) {
+    if constexpr (has(F, Effect::EmitterSampling)) {
+        if (scatterings > 0 && options.emitters != nullptr && Le != Spectrum(0.f)) {
+            const float aiming = options.emitters->pdf(hit, last.position, last.n);
+            return Le * share_of_meeting(options.techniques, last, aiming);
+        }
+    }
+    return Le;
+}
+
+/// Calls add(sample) for each light that shines on the surface at `hit`, seen from its side `n`,
+/// and for what is aimed at; shadow rays start at `origin`.
+template <Effects F, typename Add>
+void sample_direct_light(const World& world, const PathOptions& options, const Hit& hit,
+                         const glm::vec3& n, const glm::vec3& origin, Sampler& sampler,
+                         const Add& add) {
+    const auto add_lit = [&](const SampledLight& sample) {
+        if (sample.E != Spectrum(0.f)) add(sample);
+    };
+    if constexpr (has_any(F, any_light)) {
+        sample_lights<F>(world, hit, n, origin, sampler, add_lit);
+    }
+    if constexpr (has(F, Effect::EmitterSampling)) {
+        add_lit(sample_emitters(options, hit.position, n, sampler));
+    }
+}
+
+}  // namespace plumbline::pathtracer
