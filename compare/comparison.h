@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "compare/flip.h"
+#include "compare/halves.h"
 #include "compare/metrics.h"
 #include "compare/noise.h"
+#include "compare/parts.h"
 #include "compare/scales.h"
 #include "scenes/image.h"
 
@@ -24,20 +26,34 @@ enum class FlipVariant {
 struct Comparison {
     std::string layer;
     Metrics metrics;
-    std::optional<NoiseSplit> noise;  ///< none: neither image has a variance layer
+    std::vector<std::string> channels;     ///< names of the reference's: three, or one
+    std::vector<Metrics> channel_metrics;  ///< of each, without ssim and flip
+    std::vector<ObjectError> objects;
+    std::vector<ErrorPercentile> percentiles;
+    std::optional<NoiseSplit> noise;  ///< none: no image has variances, and no half was given
+    std::array<std::vector<float>, 3> halves_variance;  ///< see HalvesSplit; empty without halves
     std::vector<ScaleError> scales;
     FlipVariant flip_variant = FlipVariant::Hdr;
     double pixels_per_degree = 0;
-    std::optional<FlipResult> flip;  ///< with its map; none as Metrics::flip
-    std::size_t non_finite = 0;      ///< values that are not finite in either; their pixels are
-                                     ///< left out of everything above
+    ToneMapper tone_mapper = ToneMapper::Aces;  ///< of HDR-FLIP
+    std::optional<FlipResult> flip;             ///< with its map; none as Metrics::flip
+    std::size_t non_finite = 0;  ///< values that are not finite in either; their pixels are
+                                 ///< left out of everything above
     std::optional<PixelPosition> first_non_finite;
-    std::size_t pixels = 0;  ///< of the picture
+    std::size_t pixels = 0;          ///< of the picture
+    std::size_t counted_pixels = 0;  ///< of them, finite and inside the mask
+};
+
+/// How two images are compared.
+struct ComparisonOptions {
+    FlipOptions flip;
+    const Image* mask = nullptr;  ///< see pair_layers(); figures are of its inside, maps of all
+    Halves halves;                ///< if any, noise comes from them instead of variance layers
 };
 
 /// Compares a layer ("" is radiance) of two images of the same size.
 /// Throws ImageError if sizes differ, a layer is missing, or no pixel is finite in both.
 Comparison compare_images(const Image& reference, const Image& test, const std::string& layer,
-                          const FlipOptions& flip = {});
+                          const ComparisonOptions& options = {});
 
 }  // namespace plumbline::compare

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plumbline::compare {
 
 namespace {
@@ -12,16 +14,17 @@ std::string shown(const std::optional<double>& value) {
 }
 
 std::string noise_text(const std::optional<NoiseSplit>& noise) {
-    if (!noise) return "noise    unknown: neither image has a variance layer\n";
+    if (!noise) return "noise    unknown: no variance layer in either image, and no --half\n";
     std::string text = fmt::format(
         "noise    {:.6g} of the MSE is expected from noise\n"
         "bias     {:.6g} of the MSE is not noise (95 % interval {:.6g} to {:.6g})\n"
         "z > 3    {:.3f} % of values (0.27 % if all is noise)\n",
         noise->mse_expected_from_noise, noise->bias_mse, noise->bias_mse_ci95[0],
         noise->bias_mse_ci95[1], 100 * noise->z_fraction_above_3);
+    text += "         by " + noise->method + "\n";
     if (!noise->reference_variance)
-        text += "         the reference has no variances: taken as exact\n";
-    if (!noise->test_variance) text += "         the test has no variances: taken as exact\n";
+        text += "         nothing tells the reference's noise: taken as exact\n";
+    if (!noise->test_variance) text += "         nothing tells the test's noise: taken as exact\n";
     if (noise->left_out > 0)
         text += fmt::format("         {} pixels left out: variance negative or not finite\n",
                             noise->left_out);
@@ -40,8 +43,43 @@ std::string scales_text(const std::vector<ScaleError>& scales) {
 
 std::string exposures_text(const Comparison& comparison) {
     if (comparison.flip_variant == FlipVariant::Ldr) return "";
-    return fmt::format(", {} exposures from {:.4f} to {:.4f} stops", comparison.flip->exposures,
+    return fmt::format(", {}, {} exposures from {:.4f} to {:.4f} stops",
+                       tone_curve(comparison.tone_mapper).name, comparison.flip->exposures,
                        comparison.flip->start_exposure, comparison.flip->stop_exposure);
+}
+
+constexpr std::size_t most_objects_shown = 12;
+
+std::string part_line(const std::string& name, const Metrics& m) {
+    return fmt::format("{:<12} {:>11.4g} {:>11.4g} {:>11.4g} {:>11.4g}", name, m.bias, m.mae,
+                       m.rmse, m.relmse);
+}
+
+std::string parts_text(const Comparison& comparison) {
+    std::string text = fmt::format("\n{:<12} {:>11} {:>11} {:>11} {:>11}\n", "channel", "bias",
+                                   "mae", "rmse", "relmse");
+    for (std::size_t c = 0; c < comparison.channels.size(); ++c)
+        text += part_line(comparison.channels[c], comparison.channel_metrics[c]) + "\n";
+    if (comparison.objects.empty()) return text;
+    text += fmt::format("{:<60} {:>10}  {}\n", "object", "pixels", "of the squared error");
+    for (std::size_t k = 0; k < std::min(most_objects_shown, comparison.objects.size()); ++k) {
+        const ObjectError& object = comparison.objects[k];
+        text += fmt::format("{} {:>10}  {:.1f} %\n",
+                            part_line(fmt::format("{}", object.object), object.metrics),
+                            object.pixels, 100 * object.share);
+    }
+    if (comparison.objects.size() > most_objects_shown)
+        text += fmt::format("and {} more, in the JSON\n",
+                            comparison.objects.size() - most_objects_shown);
+    return text;
+}
+
+std::string percentiles_text(const std::vector<ErrorPercentile>& percentiles) {
+    std::string text = "\n% of pixels   error at most   of the squared error above\n";
+    for (const ErrorPercentile& one : percentiles)
+        text += fmt::format("{:>11}   {:>13.6g}   {:>24.1f} %\n", one.percent, one.error,
+                            100 * one.share_above);
+    return text;
 }
 
 }  // namespace
@@ -54,7 +92,10 @@ std::string to_text(const Comparison& comparison) {
     if (comparison.flip)
         text += fmt::format("{:<22} at {:.4g} pixels per degree{}\n", "",
                             comparison.pixels_per_degree, exposures_text(comparison));
-    return text + "\n" + noise_text(comparison.noise) + scales_text(comparison.scales);
+    if (comparison.counted_pixels < comparison.pixels)
+        text += fmt::format("of {} of {} pixels\n", comparison.counted_pixels, comparison.pixels);
+    return text + "\n" + noise_text(comparison.noise) + scales_text(comparison.scales) +
+           parts_text(comparison) + percentiles_text(comparison.percentiles);
 }
 
 }  // namespace plumbline::compare

@@ -32,7 +32,7 @@ ErrorMap make_map(const LayerPair& pair, std::string name, std::string meaning, 
     tbb::parallel_for(0, pair.height, [&](int y) {
         const std::size_t begin = std::size_t(y) * std::size_t(pair.width);
         for (std::size_t i = begin; i < begin + std::size_t(pair.width); ++i)
-            if (pair.usable[i]) map.values[i] = value(i);
+            if (pair.finite[i]) map.values[i] = value(i);
     });
     return map;
 }
@@ -53,11 +53,14 @@ float relative_error(float r, float t) {
 }
 
 /// z of the channel where |z| is largest.
-PixelValue largest_z(const Image& reference, const Image& test, const LayerPair& pair) {
-    const std::string layer = variance_layer(pair.layer);
+PixelValue largest_z(const Image& reference, const Image& test, const Comparison& comparison,
+                     const LayerPair& pair) {
     std::vector<std::array<std::span<const float>, 3>> variances;
+    const auto& [r, g, b] = comparison.halves_variance;
+    if (!r.empty()) variances.push_back({r, g, b});
     for (const Image* image : {&reference, &test})
-        if (image->has_layer(layer)) variances.push_back(image->layer(layer));
+        if (const auto layer = variances_of(*image, pair.layer); layer && r.empty())
+            variances.push_back(*layer);
     return [&pair, variances](std::size_t i) {
         float largest = 0.f;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -113,7 +116,7 @@ std::vector<ErrorMap> error_maps(const Image& reference, const Image& test,
     if (comparison.noise)
         maps.push_back(make_map(pair, "z", "(t - r) / s of the channel where it is largest",
                                 ColorMap::BlueWhiteRed, -z_limit, z_limit,
-                                largest_z(reference, test, pair)));
+                                largest_z(reference, test, comparison, pair)));
     return maps;
 }
 

@@ -52,8 +52,8 @@ FlipResult largest_flip(const LayerPair& pair, const std::vector<Display>& displ
         std::array<double, 1> row{};
         const std::size_t begin = std::size_t(y) * std::size_t(pair.width);
         for (std::size_t i = begin; i < begin + std::size_t(pair.width); ++i) {
-            if (!pair.usable[i]) result.map[i] = 0.f;
-            row[0] += double(result.map[i]);
+            if (!pair.finite[i]) result.map[i] = 0.f;
+            if (pair.usable[i]) row[0] += double(result.map[i]);
         }
         return row;
     });
@@ -79,10 +79,10 @@ struct LuminanceRange {
 
 LuminanceRange luminance_range(const LayerPair& pair) {
     std::vector<float> luminances;
-    luminances.reserve(pair.usable_pixels);
+    luminances.reserve(pair.pixels());
     const auto& [r, g, b] = pair.reference;
     for (std::size_t i = 0; i < pair.pixels(); ++i)
-        if (pair.usable[i]) luminances.push_back(0.2126f * r[i] + 0.7152f * g[i] + 0.0722f * b[i]);
+        if (pair.finite[i]) luminances.push_back(glm::dot(luminance_weights, {r[i], g[i], b[i]}));
     LuminanceRange range;
     range.largest = *std::max_element(luminances.begin(), luminances.end());
     if (range.largest <= 0.f) return range;
@@ -102,7 +102,8 @@ FlipResult ldr_flip(const LayerPair& pair, const FlipOptions& options) {
 std::optional<FlipResult> hdr_flip(const LayerPair& pair, const FlipOptions& options) {
     const LuminanceRange range = luminance_range(pair);
     if (range.largest <= 0.f) return std::nullopt;
-    const double exposed = inverse_tone_map_aces(exposed_value);
+    const ToneCurve& curve = tone_curve(options.tone_mapper);
+    const double exposed = curve.inverse(exposed_value);
     const double start =
         options.start_exposure.value_or(std::log2(exposed / double(range.largest)));
     const double stop = options.stop_exposure.value_or(std::log2(exposed / double(range.median)));
@@ -113,7 +114,7 @@ std::optional<FlipResult> hdr_flip(const LayerPair& pair, const FlipOptions& opt
     const int count = std::max(2, int(std::ceil(stop - start)));
     std::vector<Display> displays;
     for (int i = 0; i < count; ++i)
-        displays.push_back({true, float(std::exp2(start + (stop - start) * i / (count - 1)))});
+        displays.push_back({&curve, float(std::exp2(start + (stop - start) * i / (count - 1)))});
     FlipResult result = largest_flip(pair, displays, options);
     result.start_exposure = start;
     result.stop_exposure = stop;

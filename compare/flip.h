@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/layer_pair.h"
+#include "compare/tone_mapper.h"
 
 namespace plumbline::compare {
 
@@ -12,6 +13,7 @@ namespace plumbline::compare {
 struct FlipOptions {
     /// Of a 0.7 m wide screen of 3840 pixels from 0.7 m away: the authors' default.
     double pixels_per_degree = 67.02064327658226;
+    ToneMapper tone_mapper = ToneMapper::Aces;  ///< HDR only
     /// HDR only, in stops; none: from the reference, as hdr_flip says.
     std::optional<double> start_exposure;
     std::optional<double> stop_exposure;
@@ -19,7 +21,7 @@ struct FlipOptions {
 
 /// A FLIP error map and its mean.
 struct FlipResult {
-    double mean;                ///< over finite pixels, in [0,1]; 0 for equal pictures
+    double mean;                ///< over usable pixels, in [0,1]; 0 for equal pictures
     std::vector<float> map;     ///< one a pixel, in [0,1]; 0 where a pixel is not finite
     double start_exposure = 0;  ///< in stops; HDR only
     double stop_exposure = 0;
@@ -38,8 +40,8 @@ struct FlipResult {
 /// 4. The error is c^(1 - f). Borders repeat. A pixel that is not finite is black in both.
 FlipResult ldr_flip(const LayerPair& pair, const FlipOptions& options = {});
 
-/// HDR-FLIP: the largest LDR-FLIP over exposures, with the ACES tone mapper of the authors
-/// [Andersson et al. 2021].
+/// HDR-FLIP: the largest LDR-FLIP over exposures, by default with the ACES tone mapper of the
+/// authors [Andersson et al. 2021].
 ///
 /// The exposures run from log2(x / largest) to log2(x / median luminance of the reference), where
 /// x is tone-mapped to 0.85, in max(2, ceil(stop - start)) even steps. Where the median is not

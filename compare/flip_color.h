@@ -8,6 +8,9 @@
 
 namespace plumbline::compare {
 
+/// Rec.709 luminance of linear sRGB.
+inline constexpr glm::vec3 luminance_weights(0.2126f, 0.7152f, 0.0722f);
+
 /// CIE XYZ of linear sRGB with D65 white, with the authors' matrix [Andersson et al. 2020].
 inline glm::vec3 xyz_from_linear_rgb(const glm::vec3& rgb) {
     return {(10135552.f * rgb.r + 8788810.f * rgb.g + 4435075.f * rgb.b) / 24577794.f,
@@ -53,33 +56,6 @@ inline glm::vec3 hunt_lab_from_linear_rgb(const glm::vec3& rgb) {
 inline float hyab(const glm::vec3& a, const glm::vec3& b) {
     const glm::vec3 d = a - b;
     return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
-}
-
-/// ACES filmic curve (n2 x^2 + n1 x) / (d2 x^2 + d1 x + d0) [Narkowicz 2015], with the
-/// pre-exposure of 0.6 that its author built in cancelled.
-struct AcesCurve {
-    static constexpr double pre_exposure = 0.6;
-    static constexpr double n2 = pre_exposure * pre_exposure * 2.51, n1 = pre_exposure * 0.03;
-    static constexpr double d2 = pre_exposure * pre_exposure * 2.43, d1 = pre_exposure * 0.59;
-    static constexpr double d0 = 0.14;
-};
-
-/// The curve at x; n2/d2 at infinity.
-inline float tone_map_aces(float x) {
-    constexpr float n2 = float(AcesCurve::n2), n1 = float(AcesCurve::n1);
-    constexpr float d2 = float(AcesCurve::d2), d1 = float(AcesCurve::d1);
-    constexpr float d0 = float(AcesCurve::d0);
-    // Divided by x^2 beyond 1, lest very bright pixels become infinity over infinity.
-    if (std::abs(x) > 1.f) return (n2 + n1 / x) / (d2 + d1 / x + d0 / x / x);
-    return (n2 * x * x + n1 * x) / (d2 * x * x + d1 * x + d0);
-}
-
-/// The x > 0 that tone_map_aces() takes to y, 0 < y < 1: the positive root of
-/// (n2 - y d2) x^2 + (n1 - y d1) x - y d0 = 0.
-inline double inverse_tone_map_aces(double y) {
-    const double a = AcesCurve::n2 - y * AcesCurve::d2;
-    const double half_b = 0.5 * (AcesCurve::n1 - y * AcesCurve::d1), c = -y * AcesCurve::d0;
-    return (-half_b + std::sqrt(half_b * half_b - a * c)) / a;
 }
 
 }  // namespace plumbline::compare

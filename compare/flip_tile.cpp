@@ -45,8 +45,7 @@ struct OpponentTile {
                 const std::size_t at =
                     std::size_t(source_y) * std::size_t(pair.width) + std::size_t(source_x);
                 glm::vec3 rgb(0.f);
-                if (pair.usable[at])
-                    rgb = {display(layer[0][at]), display(layer[1][at]), display(layer[2][at])};
+                if (pair.finite[at]) rgb = display({layer[0][at], layer[1][at], layer[2][at]});
                 const glm::vec3 ycxcz = ycxcz_from_linear_rgb(rgb);
                 y.row(j)[i] = ycxcz.x;
                 cx.row(j)[i] = ycxcz.y;
@@ -142,9 +141,14 @@ float color_error(float distance) {
 
 }  // namespace
 
-float Display::operator()(float linear) const {
-    const float shown = tone_mapped ? tone_map_aces(exposure_scale * linear) : linear;
-    return std::clamp(shown, 0.f, 1.f);
+glm::vec3 Display::operator()(const glm::vec3& linear) const {
+    if (!curve) return glm::clamp(linear, 0.f, 1.f);
+    const glm::vec3 rgb = exposure_scale * linear;
+    if (curve->of_luminance) {
+        const float gain = 1.f / (1.f + glm::dot(rgb, luminance_weights));
+        return glm::clamp(rgb * gain, 0.f, 1.f);
+    }
+    return glm::clamp(glm::vec3((*curve)(rgb.r), (*curve)(rgb.g), (*curve)(rgb.b)), 0.f, 1.f);
 }
 
 void raise_to_flip(const LayerPair& pair, const Display& display, const FlipFilters& filters,

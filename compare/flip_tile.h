@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <glm/glm.hpp>
 #include <span>
 
 #include "compare/flip_filters.h"
 #include "compare/layer_pair.h"
+#include "compare/tone_mapper.h"
 
 namespace plumbline::compare {
 
 /// Turns linear values of a layer to what a display shows, in [0,1]: the identity or a tone
 /// mapper, then a clamp.
 struct Display {
-    bool tone_mapped = false;
-    float exposure_scale = 1.f;  ///< 2^stops; with the tone mapper only
+    const ToneCurve* curve = nullptr;  ///< none: the identity
+    float exposure_scale = 1.f;        ///< 2^stops; with a curve only
 
-    float operator()(float linear) const;
+    glm::vec3 operator()(const glm::vec3& linear) const;
 };
 
 /// A rectangle of the picture.

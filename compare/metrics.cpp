@@ -11,54 +11,69 @@ namespace plumbline::compare {
 
 namespace {
 
-enum Sum : std::size_t { Signed, Absolute, Square, Relative, Symmetric, SumCount };
-
-/// The largest finite reference value: what PSNR calls the peak.
-double peak_of(const LayerPair& pair) {
-    float peak = 0.f;
-    for (std::size_t i = 0; i < pair.pixels(); ++i)
-        if (pair.usable[i])
-            for (const auto& channel : pair.reference) peak = std::max(peak, channel[i]);
-    return double(peak);
-}
-
-std::array<double, SumCount> row_errors(const LayerPair& pair, int y) {
-    std::array<double, SumCount> sums{};
-    const std::size_t begin = std::size_t(y) * std::size_t(pair.width);
-    for (std::size_t i = begin; i < begin + std::size_t(pair.width); ++i) {
-        if (!pair.usable[i]) continue;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double r = double(pair.reference[c][i]);
-            const double t = double(pair.test[c][i]);
-            const double d = t - r;
-            sums[Signed] += d;
-            sums[Absolute] += std::abs(d);
-            sums[Square] += d * d;
-            sums[Relative] += d * d / (r * r + relmse_epsilon);
-            sums[Symmetric] += std::abs(d) / (std::abs(r) + std::abs(t) + smape_epsilon);
-        }
+struct ChannelSums {
+    std::array<ErrorSums, 3> channels;
+    void add(const ChannelSums& other) {
+        for (std::size_t c = 0; c < 3; ++c) channels[c].add(other.channels[c]);
     }
-    return sums;
-}
+};
 
 }  // namespace
 
-Metrics pixel_metrics(const LayerPair& pair) {
-    const auto sums =
-        sum_over_rows<SumCount>(pair.height, [&](int y) { return row_errors(pair, y); });
-    const double n = 3.0 * double(pair.usable_pixels);
-    const double mse = sums[Square] / n;
+void ErrorSums::add(double r, double t) {
+    const double d = t - r;
+    values += 1;
+    signed_error += d;
+    absolute += std::abs(d);
+    square += d * d;
+    relative += d * d / (r * r + relmse_epsilon);
+    symmetric += std::abs(d) / (std::abs(r) + std::abs(t) + smape_epsilon);
+    peak = std::max(peak, r);
+}
+
+void ErrorSums::add(const ErrorSums& other) {
+    values += other.values;
+    signed_error += other.signed_error;
+    absolute += other.absolute;
+    square += other.square;
+    relative += other.relative;
+    symmetric += other.symmetric;
+    peak = std::max(peak, other.peak);
+}
+
+Metrics ErrorSums::metrics() const {
+    const double mse = square / values;
     Metrics metrics;
-    metrics.bias = sums[Signed] / n;
-    metrics.mae = sums[Absolute] / n;
+    metrics.bias = signed_error / values;
+    metrics.mae = absolute / values;
     metrics.rmse = std::sqrt(mse);
-    metrics.relmse = sums[Relative] / n;
-    metrics.smape = sums[Symmetric] / n;
-    const double peak = peak_of(pair);
+    metrics.relmse = relative / values;
+    metrics.smape = symmetric / values;
     // Equal black pictures would divide zero by zero.
     metrics.psnr_db =
         mse == 0.0 ? std::numeric_limits<double>::infinity() : 10.0 * std::log10(peak * peak / mse);
     return metrics;
+}
+
+std::array<ErrorSums, 3> channel_errors(const LayerPair& pair) {
+    const auto row_sums = [&](int y) {
+        ChannelSums row;
+        const std::size_t begin = std::size_t(y) * std::size_t(pair.width);
+        for (std::size_t i = begin; i < begin + std::size_t(pair.width); ++i) {
+            if (!pair.usable[i]) continue;
+            for (std::size_t c = 0; c < 3; ++c)
+                row.channels[c].add(double(pair.reference[c][i]), double(pair.test[c][i]));
+        }
+        return row;
+    };
+    return merge_rows<ChannelSums>(pair.height, row_sums).channels;
+}
+
+Metrics pixel_metrics(const LayerPair& pair) {
+    auto [sums, g, b] = channel_errors(pair);
+    sums.add(g);
+    sums.add(b);
+    return sums.metrics();
 }
 
 const std::vector<MetricDescription>& metric_descriptions() {
@@ -75,7 +90,7 @@ const std::vector<MetricDescription>& metric_descriptions() {
          [](const Metrics& m) { return Value(m.psnr_db); }},
         {"ssim", "mean SSIM of sRGB luma clamped to [0,1], 11x11 Gaussian, sigma 1.5",
          [](const Metrics& m) { return m.ssim; }},
-        {"flip", "mean FLIP (HDR with ACES for float, LDR for 8-bit)",
+        {"flip", "mean FLIP (HDR for float, LDR for 8-bit)",
          [](const Metrics& m) { return m.flip; }},
     };
     return descriptions;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,21 @@ struct Metrics {
 inline constexpr double relmse_epsilon = 0.01;
 /// Keeps smape finite where both are black [Vogels et al. 2018].
 inline constexpr double smape_epsilon = 0.01;
+
+/// Sums over values from which the metrics follow, so that any part of a picture has its own.
+struct ErrorSums {
+    double values = 0;  ///< how many were added
+    double signed_error = 0, absolute = 0, square = 0, relative = 0, symmetric = 0;
+    double peak = 0;  ///< the largest reference value, at least 0
+
+    void add(double r, double t);
+    void add(const ErrorSums& other);
+    /// All of Metrics but ssim and flip.
+    Metrics metrics() const;
+};
+
+/// The sums of each channel.
+std::array<ErrorSums, 3> channel_errors(const LayerPair& pair);
 
 /// All of Metrics but ssim and flip.
 Metrics pixel_metrics(const LayerPair& pair);

@@ -6,16 +6,12 @@
 #include <numbers>
 #include <vector>
 
+#include "compare/find_layer.h"
 #include "compare/row_sums.h"
 
 namespace plumbline::compare {
 
 namespace {
-
-constexpr double z_95 = 1.959963984540054;  ///< two-sided 95 % point of the Gaussian
-constexpr double z_threshold = 3;
-/// The pairs of different channels.
-constexpr std::array<std::array<std::size_t, 2>, 3> channel_pairs{{{0, 1}, {0, 2}, {1, 2}}};
 
 using Layer = std::array<std::span<const float>, 3>;
 
@@ -48,39 +44,7 @@ struct NoisyPair {
     }
 };
 
-std::optional<Layer> layer_if_there(const Image& image, const std::string& name) {
-    if (!image.has_layer(name)) return std::nullopt;
-    return image.layer(name);
-}
-
 double sign(double x) { return double(x > 0) - double(x < 0); }
-
-/// rho of each of channel_pairs.
-std::array<double, 3> channel_correlations(const NoisyPair& noisy) {
-    const std::size_t width = std::size_t(noisy.pair.width);
-    const auto sums = sum_over_rows<6>(noisy.pair.height, [&](int y) {
-        std::array<double, 6> row{};
-        const std::size_t begin = std::size_t(y) * width;
-        for (std::size_t i = begin; i + 1 < begin + width; i += 2) {
-            if (!noisy.usable(i) || !noisy.usable(i + 1)) continue;
-            const Errors a = noisy.at(i), b = noisy.at(i + 1);
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto [c, e] = channel_pairs[k];
-                const double product = sign(a.d[c] - b.d[c]) * sign(a.d[e] - b.d[e]);
-                row[2 * k] += product;
-                row[2 * k + 1] += std::abs(product);
-            }
-        }
-        return row;
-    });
-    std::array<double, 3> rho;
-    for (std::size_t k = 0; k < 3; ++k) {
-        // With no pair of neighbours to tell, the widest interval is the honest one.
-        const double quadrant = sums[2 * k + 1] > 0 ? sums[2 * k] / sums[2 * k + 1] : 1.0;
-        rho[k] = std::max(0.0, std::sin(0.5 * std::numbers::pi * quadrant));
-    }
-    return rho;
-}
 
 enum Sum : std::size_t { Square, Noise, Above, Plugged, NoiseOnly, Pixels, SumCount };
 
@@ -111,13 +75,47 @@ std::string variance_layer(const std::string& layer) {
     return layer.empty() ? "variance" : "variance_" + layer;
 }
 
+std::optional<Layer> variances_of(const Image& image, const std::string& layer) {
+    const auto found = find_layer_if_there(image, variance_layer(layer));
+    if (!found) return std::nullopt;
+    return found->channels;
+}
+
+std::array<double, 3> channel_correlations(const LayerPair& pair) {
+    const std::size_t width = std::size_t(pair.width);
+    const auto sums = sum_over_rows<6>(pair.height, [&](int y) {
+        std::array<double, 6> row{};
+        const std::size_t begin = std::size_t(y) * width;
+        for (std::size_t i = begin; i + 1 < begin + width; i += 2) {
+            if (!pair.usable[i] || !pair.usable[i + 1]) continue;
+            std::array<double, 3> step;  // of d, to the next pixel
+            for (std::size_t c = 0; c < 3; ++c)
+                step[c] = sign((double(pair.test[c][i]) - double(pair.reference[c][i])) -
+                               (double(pair.test[c][i + 1]) - double(pair.reference[c][i + 1])));
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double product = step[channel_pairs[k][0]] * step[channel_pairs[k][1]];
+                row[2 * k] += product;
+                row[2 * k + 1] += std::abs(product);
+            }
+        }
+        return row;
+    });
+    std::array<double, 3> rho;
+    for (std::size_t k = 0; k < 3; ++k) {
+        // With no pair of neighbours to tell, the widest interval is the honest one.
+        const double quadrant = sums[2 * k + 1] > 0 ? sums[2 * k] / sums[2 * k + 1] : 1.0;
+        rho[k] = std::max(0.0, std::sin(0.5 * std::numbers::pi * quadrant));
+    }
+    return rho;
+}
+
 std::optional<NoiseSplit> split_noise(const Image& reference, const Image& test,
                                       const LayerPair& pair) {
-    const std::string name = variance_layer(pair.layer);
-    const NoisyPair noisy{pair, layer_if_there(reference, name), layer_if_there(test, name)};
+    const NoisyPair noisy{pair, variances_of(reference, pair.layer),
+                          variances_of(test, pair.layer)};
     if (!noisy.reference_variance && !noisy.test_variance) return std::nullopt;
 
-    const std::array<double, 3> rho = channel_correlations(noisy);
+    const std::array<double, 3> rho = channel_correlations(pair);
     const auto sums = sum_over_rows<SumCount>(pair.height, [&](int y) {
         std::array<double, SumCount> row{};
         const std::size_t begin = std::size_t(y) * std::size_t(pair.width);

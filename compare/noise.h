@@ -22,8 +22,9 @@ namespace plumbline::compare {
 /// alone gives (b = 0). The variances are taken as exact, which a few samples a pixel do not make
 /// them.
 struct NoiseSplit {
-    double mse_expected_from_noise = 0;  ///< mean of s^2
-    double bias_mse = 0;                 ///< mse - mse_expected_from_noise; may be below 0
+    std::string method = "variance layers";  ///< or "independent halves"
+    double mse_expected_from_noise = 0;      ///< mean of s^2
+    double bias_mse = 0;                     ///< mse - mse_expected_from_noise; may be below 0
     std::array<double, 2> bias_mse_ci95{};
     double z_fraction_above_3 =
         0;  ///< of pixels and channels with |d| > 3 s; 0.0027 if all is noise
@@ -37,12 +38,27 @@ struct NoiseSplit {
 /// "variance_indirect" for "indirect".
 std::string variance_layer(const std::string& layer);
 
+/// Where the variances of a layer are; none if the image has none.
+std::optional<std::array<std::span<const float>, 3>> variances_of(const Image& image,
+                                                                  const std::string& layer);
+
+/// The noise correlation of channels R and G, R and B, G and B, in [0,1].
+///
+/// It comes from the differences between horizontal neighbours, in which a smooth bias cancels:
+/// rho = sin(pi/2 mean(sign e sign e')), the quadrant correlation of Gaussians; edges and fireflies
+/// can only move the few signs that they touch.
+std::array<double, 3> channel_correlations(const LayerPair& pair);
+
+/// The pairs of channels in that order.
+inline constexpr std::array<std::array<std::size_t, 2>, 3> channel_pairs{{{0, 1}, {0, 2}, {1, 2}}};
+
+/// Two-sided 95 % point of the Gaussian.
+inline constexpr double z_95 = 1.959963984540054;
+/// Deviations beyond which z_fraction_above_3 counts.
+inline constexpr double z_threshold = 3;
+
 /// Splits the error of a pair made from these images. None if neither has a variance layer, or no
 /// pixel has finite variances.
-///
-/// The noise correlation of channels comes from the differences between horizontal neighbours, in
-/// which a smooth bias cancels: rho = sin(pi/2 mean(sign e sign e')), the quadrant correlation of
-/// Gaussians, kept in [0,1]; edges and fireflies can only move the few signs that they touch.
 std::optional<NoiseSplit> split_noise(const Image& reference, const Image& test,
                                       const LayerPair& pair);
 

@@ -23,7 +23,7 @@ std::vector<float> display_luma(const std::array<std::span<const float>, 3>& lay
     tbb::parallel_for(0, pair.height, [&](int y) {
         const std::size_t begin = std::size_t(y) * std::size_t(pair.width);
         for (std::size_t i = begin; i < begin + std::size_t(pair.width); ++i) {
-            if (!pair.usable[i]) continue;
+            if (!pair.finite[i]) continue;
             for (std::size_t c = 0; c < 3; ++c)
                 luma[i] += luma_weights[c] * srgb_from_linear(std::clamp(layer[c][i], 0.f, 1.f));
         }
@@ -85,16 +85,21 @@ std::optional<double> ssim(const LayerPair& pair) {
                 columns[x].add(weights[k], {a, b, a * a, b * b, a * b});
             }
         }
-        std::array<double, 1> sum{};
+        std::array<double, 2> sums{};  // of similarities, and how many
+        const std::size_t middle = (std::size_t(y) + ssim_window / 2) * width + ssim_window / 2;
         for (std::size_t x = 0; x < windows_across; ++x) {
+            // A pixel that is not finite counts as black; one outside the mask does not count.
+            if (pair.finite[middle + x] && !pair.usable[middle + x]) continue;
             Moments window;
             for (std::size_t k = 0; k < ssim_window; ++k) window.add(weights[k], columns[x + k]);
-            sum[0] += window.similarity();
+            sums[0] += window.similarity();
+            sums[1] += 1;
         }
-        return sum;
+        return sums;
     };
-    const double sum = sum_over_rows<1>(windows_down, row_sum)[0];
-    return sum / (double(windows_down) * double(windows_across));
+    const auto sums = sum_over_rows<2>(windows_down, row_sum);
+    if (sums[1] == 0) return std::nullopt;
+    return sums[0] / sums[1];
 }
 
 }  // namespace plumbline::compare

@@ -19,8 +19,9 @@ inline constexpr double ssim_sigma = 1.5;
 ///
 /// with C1 = (0.01 L)^2, C2 = (0.03 L)^2 and data range L = 1, on the Rec.709 luma of
 /// sRGB-encoded values: SSIM was made for what a display shows, so linear values outside [0,1]
-/// are shown, and measured, as 0 or 1. The mean is over windows that lie inside the picture. A
-/// pixel that is not finite counts as black in both. None if the picture is smaller than a window.
+/// are shown, and measured, as 0 or 1. The mean is over windows that lie inside the picture
+/// and whose middle lies inside the mask. A
+/// pixel that is not finite counts as black in both. None if there is no such window.
 std::optional<double> ssim(const LayerPair& pair);
 
 }  // namespace plumbline::compare

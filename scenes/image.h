@@ -53,9 +53,14 @@ class Image {
 /// The name of channel `c` ("R", "G" or "B") of a layer.
 std::string channel_name(const std::string& layer, const std::string& c);
 
-/// Reads any file that OpenImageIO reads: all channels of an EXR by name; 8- and 16-bit files are
-/// decoded from sRGB to linear, which metadata["plumbline:decoded"] then says.
-/// Throws ImageError if the file is missing, broken or too large to hold.
+/// Reads any file that OpenImageIO reads; the picture is the file's display window, 0 where the
+/// data window does not reach.
+///
+/// All channels of an EXR go by their names; those of a further part that have no layer of their
+/// own, or a name that is taken, by PART.CHANNEL. Parts of another size than the first are not
+/// read, which metadata["plumbline:left_out"] then says. 8- and 16-bit files are decoded from sRGB
+/// to linear, which metadata["plumbline:decoded"] then says; alpha is not, and does not touch
+/// colours. Throws ImageError if the file is missing, broken or too large to hold.
 Image read_image(const std::filesystem::path& path);
 
 /// Writes all channels and the metadata as a 32-bit float EXR, whole or not at all.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "scenes/errors.h"
 #include "scenes/image.h"
@@ -37,39 +39,74 @@ void check_size(const std::string& path, const OIIO::ImageSpec& spec) {
     }
 }
 
-/// Reads one part of the file into the channels that `image` lacks, at its place in the frame.
+/// Integers of EXR files are counts and numbers (objects, samples); those of other formats are what
+/// a display shows.
+bool holds_display_values(const OIIO::ImageInput& file, const OIIO::ImageSpec& spec) {
+    return !spec.format.is_floating_point() && std::string(file.format_name()) != "openexr";
+}
+
+/// OpenImageIO scales integers to [0,1] when asked for floats: 32-bit numbers are scaled back.
+float as_stored(float value, OIIO::TypeDesc type) {
+    if (type != OIIO::TypeDesc::UINT32) return value;
+    return static_cast<float>(
+        std::round(static_cast<double>(value) * std::numeric_limits<std::uint32_t>::max()));
+}
+
+/// How a part's channel is known in the image: by its own name if that has a layer and is free,
+/// else as a channel of the layer that is named as the part.
+std::string name_in_image(const OIIO::ImageSpec& spec, int part, const std::string& channel,
+                          const Image& image) {
+    const bool layered = channel.find('.') != std::string::npos;
+    if (part == 0 || (layered && !image.has_channel(channel))) return channel;
+    const std::string name = spec.get_string_attribute("oiio:subimagename");
+    return (name.empty() ? fmt::format("part{}", part) : name) + "." + channel;
+}
+
+/// Copies channel `c` of a part's values to its place in the frame; what lies outside of the frame
+/// is not part of the picture, and what the part does not cover stays 0.
+void place_channel(const OIIO::ImageSpec& spec, const std::vector<float>& values, int c,
+                   bool decode, int width, int height, std::span<float> target) {
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    const int left = spec.x - spec.full_x;
+    const int top = spec.y - spec.full_y;
+    const int first = std::max(0, -left);
+    const int last = std::min(spec.width, width - left);
+    for (int y = std::max(0, -top); y < std::min(spec.height, height - top); ++y) {
+        const std::size_t from = static_cast<std::size_t>(y) * static_cast<std::size_t>(spec.width);
+        const std::size_t to = static_cast<std::size_t>(y + top) * static_cast<std::size_t>(width);
+        for (int x = first; x < last; ++x) {
+            const float value = as_stored(values[(from + static_cast<std::size_t>(x)) * channels +
+                                                 static_cast<std::size_t>(c)],
+                                          spec.channelformat(c));
+            target[to + static_cast<std::size_t>(x + left)] =
+                decode ? linear_from_srgb(value) : value;
+        }
+    }
+}
+
+/// Reads one part of the file into the channels that `image` lacks.
 void read_part(OIIO::ImageInput& file, int part, Image& image) {
     const OIIO::ImageSpec spec = file.spec(part);
     check_size(image.source, spec);
-    if (spec.full_width != image.width() || spec.full_height != image.height()) return;
-    const auto channels = static_cast<std::size_t>(spec.nchannels);
-    std::vector<float> values(static_cast<std::size_t>(spec.image_pixels()) * channels);
+    if (spec.full_width != image.width() || spec.full_height != image.height()) {
+        std::string& left_out = image.metadata["plumbline:left_out"];
+        left_out += fmt::format("{}part {} ({}x{})", left_out.empty() ? "" : ", ", part,
+                                spec.full_width, spec.full_height);
+        return;
+    }
+    const std::size_t count =
+        static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(spec.nchannels);
+    std::vector<float> values(count);
     if (!file.read_image(part, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) {
         throw ImageError(image.source, "the pixels cannot be read: " + one_line(file.geterror()),
                          "write the file again");
     }
-    const bool encoded = spec.format.is_floating_point() == 0;
-    for (std::size_t c = 0; c < channels; ++c) {
-        const std::string name = spec.channel_name(static_cast<int>(c));
+    const bool encoded = holds_display_values(file, spec);
+    for (int c = 0; c < spec.nchannels; ++c) {
+        const std::string name = name_in_image(spec, part, spec.channel_name(c), image);
         if (image.has_channel(name)) continue;
-        const std::span<float> target = image.channel(name);
-        const bool decode = encoded && static_cast<int>(c) != spec.alpha_channel;
-        for (int y = 0; y < spec.height; ++y) {
-            const int row = y + spec.y - spec.full_y;
-            if (row < 0 || row >= image.height()) continue;
-            for (int x = 0; x < spec.width; ++x) {
-                const int column = x + spec.x - spec.full_x;
-                if (column < 0 || column >= image.width()) continue;
-                const auto from =
-                    static_cast<std::size_t>(y) * static_cast<std::size_t>(spec.width) +
-                    static_cast<std::size_t>(x);
-                const auto to =
-                    static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width()) +
-                    static_cast<std::size_t>(column);
-                const float value = values[from * channels + c];
-                target[to] = decode ? linear_from_srgb(value) : value;
-            }
-        }
+        place_channel(spec, values, c, encoded && c != spec.alpha_channel, image.width(),
+                      image.height(), image.channel(name));
     }
     if (encoded) image.metadata["plumbline:decoded"] = "from sRGB to linear";
 }
@@ -102,7 +139,9 @@ Image read_image(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path)) {
         throw ImageError(path.string(), "no such file", "name an image file");
     }
-    const auto file = OIIO::ImageInput::open(path.string());
+    OIIO::ImageSpec as_is;
+    as_is.attribute("oiio:UnassociatedAlpha", 1);  // colours as stored, never times alpha
+    const auto file = OIIO::ImageInput::open(path.string(), &as_is);
     if (!file) {
         throw ImageError(path.string(), "not a readable picture: " + one_line(OIIO::geterror()),
                          "give an EXR, PFM, HDR, PNG or JPEG file");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "compare/halves.h"
 #include "tests/compare/test_images.h"
 
 using namespace plumbline;
@@ -115,4 +116,51 @@ TEST_CASE("pixels with an impossible variance are left out and counted", "[compa
 TEST_CASE("each layer has its own variance layer", "[compare]") {
     CHECK(variance_layer("") == "variance");
     CHECK(variance_layer("indirect") == "variance_indirect");
+}
+
+TEST_CASE("the interval from halves covers the truth in 93 to 97 percent of trials", "[compare]") {
+    const float bias = GENERATE(0.f, 0.05f, 0.3f);
+    const float shared = GENERATE(0.f, 1.f);
+    const bool reference_half = GENERATE(false, true);  // else it has variances
+    std::mt19937 random(29);
+    int covered = 0;
+    double mean = 0, truth = 0, noise = 0;
+    constexpr int trials = 1000;
+    for (int trial = 0; trial < trials; ++trial) {
+        const NoisyImages first(random, bias, shared), second(random, bias, shared);
+        const auto [split, variance] =
+            split_by_halves(first.reference, first.test,
+                            {reference_half ? &second.reference : nullptr, &second.test},
+                            pair_layers(first.reference, first.test, ""));
+        covered +=
+            split.bias_mse_ci95[0] <= first.bias_mse && first.bias_mse <= split.bias_mse_ci95[1];
+        mean += split.bias_mse / trials;
+        noise += split.mse_expected_from_noise / trials;
+        truth = first.bias_mse;
+    }
+    INFO("bias " << bias << ", channels' correlation " << shared << ", half of the reference "
+                 << reference_half);
+    CHECK(covered >= 930);
+    CHECK(covered <= 970);
+    CHECK(mean == Approx(truth).margin(2e-4));
+    // The mean over the width of (0.05 + 0.1 u)^2 + 0.08^2.
+    CHECK(noise == Approx(0.0107708 + 0.0064).epsilon(0.03));
+}
+
+TEST_CASE("halves find the deviation of each pixel from its surroundings", "[compare]") {
+    std::mt19937 random(31);
+    double fraction = 0;
+    for (int trial = 0; trial < 50; ++trial) {
+        const NoisyImages first(random, 0.f, 0.f), second(random, 0.f, 0.f);
+        const auto halves =
+            split_by_halves(first.reference, first.test, {&second.reference, &second.test},
+                            pair_layers(first.reference, first.test, ""));
+        CHECK(halves.split.method == "independent halves");
+        fraction += halves.split.z_fraction_above_3 / 50;
+        const std::size_t middle = 12 * width + 20;
+        CHECK(double(halves.variance[0][middle]) == Approx(0.1 * 0.1 + 0.08 * 0.08).epsilon(0.7));
+    }
+    // Above the Gaussian 0.0027: d is part of its own estimate of s, of 25 to 81 values.
+    CHECK(fraction > 0.001);
+    CHECK(fraction < 0.006);
 }
