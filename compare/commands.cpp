@@ -3,6 +3,9 @@
 
 namespace plumbline {
 
-void add_compare_commands(CLI::App& app) { compare::add_compare_command(app); }
+void add_compare_commands(CLI::App& app) {
+    compare::add_compare_command(app);
+    compare::add_audit_command(app);
+}
 
 }  // namespace plumbline

@@ -13,6 +13,7 @@ void add_compare_commands(CLI::App& app);
 namespace compare {
 
 void add_compare_command(CLI::App& app);
+void add_audit_command(CLI::App& app);
 
 }  // namespace compare
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/fit.h"
 
-#include <ceres/ceres.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
-#include "compare/identifiability.h"
-#include "compare/indirect_residual.h"
+#include "compare/thesis_prediction.h"
 #include "scenes/errors.h"
 
 namespace plumbline::compare {
@@ -21,179 +21,173 @@ constexpr double most_propagation = 0.98;
 constexpr double least_scale = 1e-6;  ///< of constants that multiply: none may be 0
 constexpr double most_attenuation = 1e3;
 constexpr double most_brightness = 1e9;
-/// Rounds of fitting constants and misfit in turn, and the relative change of tau that ends them.
-constexpr int most_rounds = 10;
-constexpr double settled_misfit = 0.01;
-constexpr int bisections = 60;
+constexpr double most_feedback = 1e6;
 
-struct Solution {
-    Constants<double> constants;
-    double misfit = 0;  ///< tau^2
-    Identifiability verdict;
-    double chi_square = 0;  ///< with noise alone
-    double degrees_of_freedom = 0;
+/// The parameters of a fit, and which of them each case reads.
+struct Layout {
+    std::vector<Parameter> parameters;
+    std::vector<std::string> scenes;  ///< whose each is; empty: shared
+    ConstantPlaces places;
 };
 
-Constants<double> upper_bounds(std::span<const Observations> cases) {
-    double falloff = std::numeric_limits<double>::infinity();
-    for (const Observations& one : cases)
-        falloff = std::min(falloff, most_propagation * one.picture().lossless_falloff());
-    return {falloff, most_attenuation, most_brightness};
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Steps in which constants are told apart: of light passed on, and of each factor.
-Constants<double> scale_of(std::span<const Observations> cases,
-                           const Constants<double>& constants) {
-    return {cases.front().picture().lossless_falloff(), constants[1], constants[2]};
+void check_names(const FitSettings& settings) {
+    for (const auto& [option, names] :
+         {std::pair("--free", &settings.free), std::pair("--per-scene", &settings.per_scene)})
+        for (const std::string& name : *names)
+            if (std::find(constant_names.begin(), constant_names.end(), name) ==
+                constant_names.end())
+                throw UsageError(option, fmt::format("no constant '{}'", name),
+                                 fmt::format("name some of {}", fmt::join(constant_names, ", ")));
+    for (const std::string& name : settings.per_scene)
+        if (!contains(settings.free, name))
+            throw UsageError("--per-scene", fmt::format("'{}' is not free", name),
+                             "name it with --free too");
+    if (settings.free.empty()) throw UsageError("--free", "no constant", "name at least one");
 }
 
-void solve(std::span<const Observations> cases, Solution& solution) {
-    ceres::Problem problem;
-    double* constants = solution.constants.data();
-    for (std::size_t k = 0; k < cases.size(); ++k)
-        problem.AddResidualBlock(IndirectResidual::cost_function(cases[k], solution.misfit),
-                                 nullptr, constants);
-    const Constants<double> upper = upper_bounds(cases);
-    const Constants<double> lower{0, least_scale, least_scale};
-    for (int k = 0; k < int(upper.size()); ++k) {
-        problem.SetParameterLowerBound(constants, k, lower[std::size_t(k)]);
-        problem.SetParameterUpperBound(constants, k, upper[std::size_t(k)]);
+/// Constant `c` as a parameter, as published for the first of the cases that share it.
+Parameter parameter_of(std::size_t c, std::span<const Observations> sharing, bool free) {
+    const double published = sharing.front().picture().published()[c];
+    double lossless = std::numeric_limits<double>::infinity();
+    for (const Observations& one : sharing)
+        lossless = std::min(lossless, one.picture().lossless_falloff());
+    const Constants<double> lower{0, least_scale, least_scale, 0};
+    const Constants<double> upper{most_propagation * lossless, most_attenuation, most_brightness,
+                                  most_feedback};
+    // Steps in which constants are told apart: of light passed on, and of each factor.
+    const Constants<double> scale{lossless, published, published, std::max(published, 1.0)};
+    return {constant_names[c], published, lower[c], upper[c], free, scale[c] > 0 ? scale[c] : 1.0,
+            c == 1 || c == 2};
+}
+
+Layout layout_of(std::span<const Observations> cases, const std::vector<FitCase>& fit_cases,
+                 const FitSettings& settings) {
+    Layout layout;
+    layout.places.resize(cases.size());
+    for (std::size_t c = 0; c < constant_names.size(); ++c) {
+        const std::string name = constant_names[c];
+        const bool free = contains(settings.free, name);
+        // A constant that is not free stays as published for each scene.
+        const bool own = cases.size() > 1 && (!free || contains(settings.per_scene, name));
+        for (std::size_t k = 0; k < cases.size(); ++k) {
+            if (k == 0 || own) {
+                layout.parameters.push_back(
+                    parameter_of(c, own ? cases.subspan(k, 1) : cases, free));
+                layout.scenes.push_back(own ? fit_cases[k].scene->name : "");
+            }
+            layout.places[k][c] = layout.parameters.size() - 1;
+        }
     }
-    if (!solution.verdict.redundant.empty()) {
-        std::vector<int> held(solution.verdict.redundant.begin(), solution.verdict.redundant.end());
-        std::sort(held.begin(), held.end());
-        held.erase(std::unique(held.begin(), held.end()), held.end());
-        problem.SetManifold(constants, new ceres::SubsetManifold(int(upper.size()), held));
-    }
-    ceres::Solver::Options options;
-    options.linear_solver_type = ceres::DENSE_QR;
-    options.logging_type = ceres::SILENT;
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem, &summary);
-    if (!summary.IsSolutionUsable())
-        throw FitError("thesis", "the fit failed: " + summary.message,
-                       "check that the reference shows the same scene and frame");
+    for (std::size_t p = 0; p < layout.parameters.size(); ++p)
+        if (!layout.scenes[p].empty()) layout.parameters[p].name += " (" + layout.scenes[p] + ")";
+    return layout;
 }
 
-/// What the fit leaves of each value, with the reference's noise.
-struct Errors {
-    std::vector<double> squared, variance;
-};
-
-Errors errors_at(std::span<const Observations> cases, const Constants<double>& constants) {
-    Errors errors;
+Observed observed_of(std::span<const Observations> cases) {
+    Observed observed;
+    std::uint32_t first_tile = 0;
     for (const Observations& one : cases) {
-        for (double e : model_errors(one, constants)) errors.squared.push_back(e * e);
-        errors.variance.insert(errors.variance.end(), one.variance().begin(), one.variance().end());
+        observed.values.insert(observed.values.end(), one.radiance().begin(), one.radiance().end());
+        observed.variance.insert(observed.variance.end(), one.variance().begin(),
+                                 one.variance().end());
+        for (std::uint32_t tile : one.tiles()) observed.tile.push_back(first_tile + tile);
+        first_tile = observed.tile.back() + 1;
     }
-    return errors;
+    return observed;
 }
 
-/// tau^2 such that the mean of e^2 / (s^2 + tau^2) is 1; 0 if noise suffices.
-double misfit_of(const Errors& errors) {
-    const auto excess = [&](double tau2) {
-        double sum = 0;
-        for (std::size_t i = 0; i < errors.squared.size(); ++i)
-            sum += errors.squared[i] / (errors.variance[i] + tau2);
-        return sum / double(errors.squared.size()) - 1;
-    };
-    if (excess(0) <= 0) return 0;
-    double low = 0, high = *std::max_element(errors.squared.begin(), errors.squared.end());
-    for (int step = 0; step < bisections; ++step) {
-        const double middle = 0.5 * (low + high);
-        (excess(middle) > 0 ? low : high) = middle;
-    }
-    return high;
-}
-
-/// Takes the misfit from the errors at the solution; whether it settled.
-bool update_misfit(std::span<const Observations> cases, Solution& solution) {
-    const Errors errors = errors_at(cases, solution.constants);
-    const double tau = std::sqrt(misfit_of(errors));
-    const bool settled = std::abs(tau - std::sqrt(solution.misfit)) <= settled_misfit * tau;
-    solution.misfit = tau * tau;
-    solution.chi_square = 0;
-    for (std::size_t i = 0; i < errors.squared.size(); ++i)
-        solution.chi_square += errors.squared[i] / errors.variance[i];
-    solution.degrees_of_freedom = double(errors.squared.size());
-    return settled;
-}
-
-void judge_solution(std::span<const Observations> cases, Solution& solution) {
-    NormalMatrix normal = NormalMatrix::Zero();
-    for (std::size_t k = 0; k < cases.size(); ++k)
-        normal += normal_matrix(cases[k], solution.misfit, solution.constants);
-    solution.verdict = judge(normal, solution.constants, scale_of(cases, solution.constants));
-}
-
-Solution fit_cases(std::span<const Observations> cases) {
+/// A fit of some cases.
+struct CasesFit {
+    Layout layout;
     Solution solution;
-    solution.constants = cases.front().picture().published();
-    const Constants<double> upper = upper_bounds(cases);
-    for (std::size_t k = 0; k < upper.size(); ++k)
-        solution.constants[k] =
-            std::clamp(solution.constants[k], k == 0 ? 0 : least_scale, upper[k]);
-    update_misfit(cases, solution);
-    judge_solution(cases, solution);
-    for (int round = 0; round < most_rounds; ++round) {
-        solve(cases, solution);
-        if (update_misfit(cases, solution)) break;
-    }
-    judge_solution(cases, solution);
-    double free = 0;
-    for (bool identifiable : solution.verdict.identifiable) free += double(identifiable);
-    solution.degrees_of_freedom -= free + double(solution.verdict.combinations.size());
-    return solution;
-}
+    Identifiability verdict;
+    std::vector<Constants<double>> constants;  ///< of each case
+    double degrees_of_freedom;
+};
 
-void note_bounds(std::span<const Observations> cases, const Solution& solution, FitResult& result) {
-    const double most = upper_bounds(cases)[0];
-    if (solution.constants[0] > (1 - 1e-6) * most)
-        result.notes.push_back(fmt::format(
-            "falloffRegulator ends at its bound {:.5g}, where a missed ray brings {} of the "
-            "neighbour's light",
-            most, most_propagation));
-    if (solution.constants[0] < 1e-9 * most)
-        result.notes.push_back("falloffRegulator ends at its bound 0");
+CasesFit fit_cases(std::span<const Observations> cases, const std::vector<FitCase>& fit_cases,
+                   const FitSettings& settings) {
+    CasesFit result;
+    result.layout = layout_of(cases, fit_cases, settings);
+    const ThesisPrediction prediction(cases, result.layout.places,
+                                      contains(settings.free, constant_names[3]));
+    const Observed observed = observed_of(cases);
+    const std::vector<Parameter>& parameters = result.layout.parameters;
+    const auto judge_at = [&](const std::vector<double>& at, double misfit_variance) {
+        return judge(whitened(prediction, observed, misfit_variance, settings.loss, at), observed,
+                     parameters, at, Together::Multiply);
+    };
+    std::vector<double> start;
+    for (const Parameter& one : parameters)
+        start.push_back(std::clamp(one.value, one.lower, one.upper));
+    result.verdict = judge_at(start, 0);
+    result.solution = solve(prediction, observed, parameters, result.verdict.redundant,
+                            settings.loss, settings.watch);
+    result.verdict = judge_at(result.solution.parameters, result.solution.misfit_variance);
+    for (std::size_t k = 0; k < cases.size(); ++k)
+        result.constants.push_back(prediction.constants(k, result.solution.parameters));
+    result.degrees_of_freedom = double(observed.values.size()) - double(result.verdict.known);
+    return result;
 }
 
 void add_transfer(const std::vector<FitCase>& cases, const std::vector<Observations>& observations,
-                  FitResult& result) {
+                  const FitSettings& settings, FitResult& result) {
+    std::vector<std::optional<Observations>> tests;
+    for (const FitCase& one : settings.tests) tests.emplace_back(one);
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const Solution one = fit_cases({&observations[i], 1});
-        for (std::size_t j = 0; j < cases.size(); ++j)
-            result.transfer.push_back({cases[i].scene->name, cases[j].scene->name,
-                                       rmse_at({&observations[j], 1}, one.constants)});
+        const Constants<double> constants =
+            fit_cases({&observations[i], 1}, {cases[i]}, settings).constants.front();
+        const auto test = [&](const FitCase& on, const Observations& observed) {
+            result.transfer.push_back({cases[i].scene->name, cases[i].frame, on.scene->name,
+                                       on.frame, rmse_at({&observed, 1}, {constants})});
+        };
+        for (std::size_t j = 0; j < cases.size(); ++j) test(cases[j], observations[j]);
+        for (std::size_t j = 0; j < tests.size(); ++j) test(settings.tests[j], *tests[j]);
     }
 }
 
 }  // namespace
 
-FitResult fit(const std::vector<FitCase>& cases) {
+FitResult fit(const std::vector<FitCase>& cases, const FitSettings& settings) {
     if (cases.empty()) throw FitError("fit", "no scene", "name at least one");
+    check_names(settings);
     std::vector<Observations> observations;
     for (const FitCase& one : cases) observations.emplace_back(one);
     const BestGain gain = best_gain(observations);
-    const Solution solution = fit_cases(observations);
+    const CasesFit fitted = fit_cases(observations, cases, settings);
 
     FitResult result{};
     result.model = "thesis";
     for (const FitCase& one : cases) result.scenes.push_back(one.scene->name);
-    for (std::size_t k = 0; k < constant_names.size(); ++k)
-        result.constants.push_back({constant_names[k], solution.constants[k],
-                                    solution.verdict.standard_error[k],
-                                    solution.verdict.identifiable[k]});
+    const Identifiability& verdict = fitted.verdict;
+    for (std::size_t c = 0, p = 0; p < fitted.layout.parameters.size(); ++p) {
+        while (!fitted.layout.parameters[p].name.starts_with(constant_names[c])) ++c;
+        if (fitted.layout.parameters[p].free)
+            result.constants.push_back(
+                {constant_names[c], fitted.solution.parameters[p], verdict.standard_error[p],
+                 verdict.identifiable[p], fitted.layout.scenes[p],
+                 verdict.standard_error_covariance[p], verdict.standard_error_bootstrap[p]});
+    }
     result.rmse_before = gain.rmse_before;
-    result.rmse_after = rmse_at(observations, solution.constants);
-    result.reduced_chi_square = solution.chi_square / solution.degrees_of_freedom;
+    result.rmse_after = rmse_at(observations, fitted.constants);
+    result.reduced_chi_square = fitted.solution.chi_square / fitted.degrees_of_freedom;
     result.gain = gain.gain;
     result.gain_standard_error = gain.standard_error;
     result.rmse_gain = gain.rmse;
-    result.notes = solution.verdict.notes;
-    result.combinations = solution.verdict.combinations;
-    result.misfit = std::sqrt(solution.misfit);
-    note_bounds(observations, solution, result);
-    if (cases.size() > 1) add_transfer(cases, observations, result);
+    result.notes = verdict.notes;
+    result.combinations = verdict.combinations;
+    result.misfit = std::sqrt(fitted.solution.misfit_variance);
+    result.steps = fitted.solution.steps;
+    result.converged = fitted.solution.converged;
+    if (!result.converged)
+        result.notes.push_back("the fit did not converge: " + fitted.solution.termination);
+    add_bound_notes(fitted.layout.parameters, fitted.solution.parameters, result.notes);
+    if (cases.size() + settings.tests.size() > 1)
+        add_transfer(cases, observations, settings, result);
     return result;
 }
 

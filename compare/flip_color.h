@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/glm.hpp>
 
 // Colour spaces as FLIP uses them, inline: each runs for every pixel at every exposure.
@@ -37,10 +39,23 @@ inline glm::vec3 linear_rgb_from_ycxcz(const glm::vec3& ycxcz) {
     return linear_rgb_from_xyz(glm::vec3(y + ycxcz.y / 500.f, y, y - ycxcz.z / 200.f) * white);
 }
 
+/// The cube root of a positive, normal number, to 3e-7 of itself: a third of its exponent, then
+/// Halley's iteration twice, which takes the first guess's error of 4 % to its cube each time. A
+/// call of the library's takes several times as long, three times a pixel and exposure.
+inline float cube_root(float t) {
+    constexpr std::uint32_t two_thirds_of_bias = 0x2A5137A0;
+    float root = std::bit_cast<float>(std::bit_cast<std::uint32_t>(t) / 3 + two_thirds_of_bias);
+    for (int step = 0; step < 2; ++step) {
+        const float cube = root * root * root;
+        root *= (cube + 2.f * t) / (2.f * cube + t);
+    }
+    return root;
+}
+
 /// The cube root of CIELAB with its linear toe.
 inline float lab_root(float t) {
     constexpr float delta = 6.f / 29.f;
-    return t > delta * delta * delta ? std::cbrt(t) : t / (3.f * delta * delta) + 4.f / 29.f;
+    return t > delta * delta * delta ? cube_root(t) : t / (3.f * delta * delta) + 4.f / 29.f;
 }
 
 /// CIELAB with a* and b* scaled by L*/100: chroma is seen the less the darker it is

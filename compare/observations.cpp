@@ -4,17 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/lattice.h"
 #include "scenes/errors.h"
 
 namespace plumbline::compare {
 
 namespace {
-
-constexpr double most_fitted_pixels = 20000;
-/// Variances are kept at least at this share of their mean ...
-constexpr double least_variance_share = 1e-3;
-/// ... and standard deviations at this share of the layer's root mean square.
-constexpr double least_deviation_share = 1e-6;
 
 ThesisPicture picture_of(const FitCase& fit_case) {
     const Image& reference = *fit_case.reference;
@@ -41,13 +36,11 @@ Observations::Observations(const FitCase& fit_case) : picture_(picture_of(fit_ca
     const Image& reference = *fit_case.reference;
     const auto indirect = reference.layer("indirect");
     const auto variance = reference.layer("variance_indirect");
-    const std::size_t width = std::size_t(reference.width());
-    const double pixels_per_fitted = double(reference.pixels()) / most_fitted_pixels;
-    const auto step = std::size_t(std::ceil(std::sqrt(std::max(1.0, pixels_per_fitted))));
+    const Lattice lattice(reference.width(), reference.height());
     double largest = 0;
     for (std::size_t i = 0; i < reference.pixels(); ++i) {
         if (!finite(indirect, i) || !finite(variance, i)) continue;
-        const bool fitted = i % width % step == step / 2 && i / width % step == step / 2;
+        const bool fitted = lattice.fitted(i);
         all_pixels_.push_back(std::uint32_t(i));
         if (fitted) pixels_.push_back(std::uint32_t(i));
         for (std::size_t c = 0; c < 3; ++c) {
@@ -56,21 +49,13 @@ Observations::Observations(const FitCase& fit_case) : picture_(picture_of(fit_ca
             if (!fitted) continue;
             radiance_.push_back(double(indirect[c][i]));
             variance_.push_back(double(variance[c][i]));
+            tiles_.push_back(lattice.tile(i));
         }
     }
     if (pixels_.empty() || largest <= 0)
         throw FitError(reference.source.empty() ? fit_case.scene->name : reference.source,
                        "the indirect layer is black or not finite", "there is nothing to fit to");
-    keep_variances_positive();
-}
-
-void Observations::keep_variances_positive() {
-    double mean_variance = 0, mean_square = 0;
-    for (double v : variance_) mean_variance += std::max(v, 0.0) / double(variance_.size());
-    for (double r : all_radiance_) mean_square += r * r / double(all_radiance_.size());
-    const double least = std::max(least_variance_share * mean_variance,
-                                  least_deviation_share * least_deviation_share * mean_square);
-    for (double& v : variance_) v = std::max(v, least);
+    keep_variances_positive(radiance_, variance_);
 }
 
 BestGain best_gain(const std::vector<Observations>& cases) {
@@ -103,10 +88,12 @@ BestGain best_gain(const std::vector<Observations>& cases) {
             std::sqrt(squares / sums.n)};
 }
 
-double rmse_at(std::span<const Observations> cases, const Constants<double>& constants) {
+double rmse_at(std::span<const Observations> cases,
+               const std::vector<Constants<double>>& constants) {
     double squares = 0, n = 0;
-    for (const Observations& one : cases) {
-        const auto model = one.picture().indirect<double>(constants, one.all_pixels());
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        const Observations& one = cases[k];
+        const auto model = one.picture().indirect<double>(constants[k], one.all_pixels());
         for (std::size_t i = 0; i < model.size(); ++i) {
             const double d = model[i] - one.all_radiance()[i];
             squares += d * d;

@@ -22,16 +22,16 @@ class Observations {
     const std::vector<std::uint32_t>& pixels() const { return pixels_; }
     const std::vector<double>& radiance() const { return radiance_; }
     const std::vector<double>& variance() const { return variance_; }
+    /// In which tile of the picture each of them lies.
+    const std::vector<std::uint32_t>& tiles() const { return tiles_; }
 
     /// All pixels that are finite, and their radiance.
     const std::vector<std::uint32_t>& all_pixels() const { return all_pixels_; }
     const std::vector<double>& all_radiance() const { return all_radiance_; }
 
  private:
-    void keep_variances_positive();
-
     ThesisPicture picture_;
-    std::vector<std::uint32_t> pixels_, all_pixels_;
+    std::vector<std::uint32_t> pixels_, all_pixels_, tiles_;
     std::vector<double> radiance_, variance_, all_radiance_;
 };
 
@@ -44,7 +44,8 @@ struct BestGain {
 };
 BestGain best_gain(const std::vector<Observations>& cases);
 
-/// The unweighted error of the cases at these constants.
-double rmse_at(std::span<const Observations> cases, const Constants<double>& constants);
+/// The unweighted error of the cases, each at its constants.
+double rmse_at(std::span<const Observations> cases,
+               const std::vector<Constants<double>>& constants);
 
 }  // namespace plumbline::compare

@@ -13,8 +13,8 @@ namespace plumbline::compare {
 
 namespace {
 
-/// Width, in pixels of the result, of a filter that blends each pair of neighbours.
-constexpr float triangle_width = 2.f;
+/// The library's own: two pixels of the source or of the result, whichever are larger.
+constexpr float triangle_width = 0.f;
 
 bool is_mixable(const std::string& channel) {
     for (const char* layer : {"object", "samples", "variance"})

@@ -15,9 +15,9 @@ ddgi::ThesisSetup setup_for(Scene scene, int frame, int width, int height) {
 
 ThesisPicture::ThesisPicture(const Scene& scene, int frame, int width, int height)
     : setup_(setup_for(scene, frame, width, height)),
-      published_{double(setup_.constants.falloffRegulator),
-                 double(setup_.constants.bounceAttenuation),
-                 double(setup_.constants.probeBrightness)},
+      published_{
+          double(setup_.constants.falloffRegulator), double(setup_.constants.bounceAttenuation),
+          double(setup_.constants.probeBrightness), double(setup_.constants.multiBounceIntensity)},
       width_(width),
       height_(height),
       first_look_up_(std::size_t(width) * std::size_t(height) + 1, 0) {

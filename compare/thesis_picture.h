@@ -13,8 +13,8 @@
 namespace plumbline::compare {
 
 /// The constants that a fit may choose, in the order of Constants.
-inline constexpr std::array<const char*, 3> constant_names{"falloffRegulator", "bounceAttenuation",
-                                                           "probeBrightness"};
+inline constexpr std::array<const char*, 4> constant_names{
+    "falloffRegulator", "bounceAttenuation", "probeBrightness", "multiBounceIntensity"};
 
 /// Values of constant_names; T is double or a dual number.
 template <typename T>
@@ -35,14 +35,15 @@ class ThesisPicture {
     int height() const { return height_; }
 
     /// Radiance of the pixels (row by row from the top left; ascending), three channels each, with
-    /// all probes converged. Throws FitError if they do not converge.
+    /// all probes converged. Throws FitError if they do not converge. Light fed back is followed if
+    /// multiBounceIntensity is not 0, or if `fits_feedback`, for its derivative at 0.
     template <typename T>
-    std::vector<T> indirect(const Constants<T>& constants,
-                            std::span<const std::uint32_t> pixels) const;
+    std::vector<T> indirect(const Constants<T>& constants, std::span<const std::uint32_t> pixels,
+                            bool fits_feedback = false) const;
 
  private:
     template <typename T>
-    std::vector<T> converged_probes(const Constants<T>& constants) const;
+    std::vector<T> converged_probes(const Constants<T>& constants, bool feedback) const;
 
     ddgi::ThesisSetup setup_;
     Constants<double> published_;
@@ -51,9 +52,9 @@ class ThesisPicture {
 };
 
 template <typename T>
-std::vector<T> ThesisPicture::converged_probes(const Constants<T>& constants) const {
-    const auto& [falloff, attenuation, brightness] = constants;
-    const ddgi::ThesisParameters<T> parameters{falloff, attenuation, brightness, T(0)};
+std::vector<T> ThesisPicture::converged_probes(const Constants<T>& constants, bool feedback) const {
+    const auto& [falloff, attenuation, brightness, multi_bounce] = constants;
+    const ddgi::ThesisParameters<T> parameters{falloff, attenuation, brightness, multi_bounce};
     const ddgi::ThesisField field = setup_.field();
     const std::size_t size = std::size_t(ddgi::probe_count(field.grid)) * 3 * ddgi::octant_count;
     std::vector<T> lit(size), values(size, T(0)), next(size);
@@ -61,6 +62,7 @@ std::vector<T> ThesisPicture::converged_probes(const Constants<T>& constants) co
     const T propagation = ddgi::thesis_propagation(falloff, field.grid.spacing);
     Convergence convergence;
     do {
+        if (feedback) ddgi::thesis_lit<T>(field, parameters, values, lit);
         ddgi::thesis_propagate<T>(field.grid, setup_.miss_shares, propagation, lit, values, next);
         values.swap(next);
     } while (!convergence.reached<T>(next, values));
@@ -69,8 +71,10 @@ std::vector<T> ThesisPicture::converged_probes(const Constants<T>& constants) co
 
 template <typename T>
 std::vector<T> ThesisPicture::indirect(const Constants<T>& constants,
-                                       std::span<const std::uint32_t> pixels) const {
-    const std::vector<T> probes = converged_probes(constants);
+                                       std::span<const std::uint32_t> pixels,
+                                       bool fits_feedback) const {
+    const std::vector<T> probes =
+        converged_probes(constants, fits_feedback || constants[3] != T(0));
     const T scale = constants[2] / double(setup_.samples_per_pixel);
     std::vector<T> result(pixels.size() * 3, T(0));
     tbb::parallel_for(std::size_t(0), pixels.size(), [&](std::size_t i) {

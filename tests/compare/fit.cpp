@@ -8,10 +8,12 @@
 #include <memory>
 #include <random>
 
-#include "compare/indirect_residual.h"
+#include "compare/layer_fit.h"
+#include "compare/thesis_prediction.h"
 #include "ddgi/render.h"
 #include "scenes/errors.h"
 #include "scenes/scene_files.h"
+#include "tests/compare/test_images.h"
 
 using namespace plumbline;
 using namespace plumbline::compare;
@@ -88,27 +90,26 @@ TEST_CASE("derivatives of the residuals equal finite differences", "[compare][fi
     const Scene scene = small_scene();
     // At the second point lit surfels are clamped: the derivatives must know.
     const Constants<double> at =
-        GENERATE(Constants<double>{2500, 0.1, 6000}, Constants<double>{1000, 2.1, 2000});
-    const Image truth = synthetic_truth(scene, {2000, 0.2, 9000}, 0.01f, 1);
+        GENERATE(Constants<double>{2500, 0.1, 6000, 0}, Constants<double>{1000, 2.1, 2000, 0});
+    const Image truth = synthetic_truth(scene, {2000, 0.2, 9000, 0}, 0.01f, 1);
     const Observations observations(FitCase{&scene, 0, &truth});
-    const IndirectResidual residual{observations, 1e-4};
-    const std::size_t count = observations.radiance().size();
-    using Jet = ceres::Jet<double, 3>;
-    const std::array<Jet, 3> jets{Jet(at[0], 0), Jet(at[1], 1), Jet(at[2], 2)};
-    std::vector<Jet> dual(count);
-    residual(jets.data(), dual.data());
+    const ThesisPrediction prediction({&observations, 1}, {{0, 1, 2, 3}}, false);
+    const std::vector<double> point(at.begin(), at.end());
+    Jacobian jacobian;
+    const std::vector<double> values = prediction.predict(point, &jacobian);
+    CHECK(values == prediction.predict(point, nullptr));
     for (int k = 0; k < 3; ++k) {
         const double step = 1e-4 * at[std::size_t(k)];
-        Constants<double> above = at, below = at;
+        std::vector<double> above = point, below = point;
         above[std::size_t(k)] += step;
         below[std::size_t(k)] -= step;
-        std::vector<double> up(count), down(count);
-        residual(above.data(), up.data());
-        residual(below.data(), down.data());
+        const auto up = prediction.predict(above, nullptr),
+                   down = prediction.predict(below, nullptr);
         double largest = 0, error = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            largest = std::max(largest, std::abs(dual[i].v[k]));
-            error = std::max(error, std::abs(dual[i].v[k] - (up[i] - down[i]) / (2 * step)));
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double slope = jacobian(Eigen::Index(i), k);
+            largest = std::max(largest, std::abs(slope));
+            error = std::max(error, std::abs(slope - (up[i] - down[i]) / (2 * step)));
         }
         INFO("constant " << constant_names[std::size_t(k)]);
         CHECK(largest > 0);
@@ -119,7 +120,7 @@ TEST_CASE("derivatives of the residuals equal finite differences", "[compare][fi
 TEST_CASE("a fit recovers the constants of a synthetic truth within its standard errors",
           "[compare][fit]") {
     const Scene scene = small_scene();
-    const Constants<double> true_constants{2000, 0.105, 18000};
+    const Constants<double> true_constants{2000, 0.105, 18000, 0};
     double falloff_z2 = 0, product_z2 = 0;
     constexpr int trials = 8;
     for (unsigned seed = 0; seed < trials; ++seed) {
@@ -145,7 +146,7 @@ TEST_CASE("a fit recovers the constants of a synthetic truth within its standard
 
 TEST_CASE("factors that act only as a product are called not identifiable", "[compare][fit]") {
     const Scene scene = small_scene();
-    const Image truth = synthetic_truth(scene, {2000, 0.105, 18000}, 0.01f, 3);
+    const Image truth = synthetic_truth(scene, {2000, 0.105, 18000, 0}, 0.01f, 3);
     const FitResult result = fit({{&scene, 0, &truth}});
     for (const char* name : {"bounceAttenuation", "probeBrightness"}) {
         CHECK_FALSE(constant(result, name).identifiable);
@@ -161,7 +162,7 @@ TEST_CASE("where surfels are clamped, factors can be told apart", "[compare][fit
     Scene scene = small_scene();
     // Of surfaces with albedo 1 the clamp takes some light from 1 on, of all from 1.43 on.
     scene.thesis->bounceAttenuation = 1.5f;
-    const Image truth = synthetic_truth(scene, {2000, 1.6, 900}, 0.005f, 4);
+    const Image truth = synthetic_truth(scene, {2000, 1.6, 900, 0}, 0.005f, 4);
     const FitResult result = fit({{&scene, 0, &truth}});
     CHECK(result.combinations.empty());
     const FittedConstant& attenuation = constant(result, "bounceAttenuation");
@@ -186,7 +187,7 @@ TEST_CASE("the best gain is the least-squares scale of the published picture", "
 TEST_CASE("a misfit that noise does not explain raises chi-square and widens errors",
           "[compare][fit]") {
     const Scene scene = small_scene();
-    Image truth = synthetic_truth(scene, {2000, 0.105, 18000}, 0.01f, 6);
+    Image truth = synthetic_truth(scene, {2000, 0.105, 18000, 0}, 0.01f, 6);
     const FitResult exact = fit({{&scene, 0, &truth}});
     CHECK(exact.misfit < 0.003);
     for (auto& channel : truth.layer("indirect"))
@@ -206,8 +207,8 @@ TEST_CASE("several scenes share constants, and each fit is tested on the others"
     Scene b = small_scene();
     b.name = "other";
     b.lights[0].position.x += 90;
-    const Image truth_a = synthetic_truth(a, {2000, 0.105, 18000}, 0.01f, 7);
-    const Image truth_b = synthetic_truth(b, {2000, 0.105, 9000}, 0.01f, 8);
+    const Image truth_a = synthetic_truth(a, {2000, 0.105, 18000, 0}, 0.01f, 7);
+    const Image truth_b = synthetic_truth(b, {2000, 0.105, 9000, 0}, 0.01f, 8);
     const FitResult result = fit({{&a, 0, &truth_a}, {&b, 0, &truth_b}});
     REQUIRE(result.transfer.size() == 4);
     for (const TransferError& error : result.transfer)
@@ -228,4 +229,177 @@ TEST_CASE("a fit to nothing is refused", "[compare][fit]") {
     black.layer("indirect");
     black.layer("variance_indirect");
     CHECK_THROWS_WITH(fit({{&scene, 0, &black}}), Catch::Contains("black"));
+}
+
+TEST_CASE("only the free constants move and scenes may have their own", "[compare][fit]") {
+    const Scene a = small_scene();
+    Scene b = small_scene();
+    b.name = "other";
+    b.lights[0].position.x += 90;
+    const double published = ThesisPicture(a, 0, width, height).published()[2];
+    const Constants<double> a_true{2200, 0.105, 1.5 * published, 0};
+    const Constants<double> b_true{2200, 0.105, 0.5 * published, 0};
+    const Image truth_a = synthetic_truth(a, a_true, 0.01f, 7);
+    const Image truth_b = synthetic_truth(b, b_true, 0.01f, 8);
+    FitSettings settings;
+    settings.free = {"falloffRegulator", "probeBrightness"};
+    settings.per_scene = {"probeBrightness"};
+    const FitResult result = fit({{&a, 0, &truth_a}, {&b, 0, &truth_b}}, settings);
+    REQUIRE(result.constants.size() == 3);
+    CHECK(result.constants[0].scene.empty());
+    CHECK(std::abs(result.constants[0].value - 2200) < 3 * result.constants[0].standard_error);
+    CHECK(result.constants[1].scene == a.name);
+    CHECK(std::abs(result.constants[1].value - 1.5 * published) <
+          3 * result.constants[1].standard_error);
+    CHECK(std::abs(result.constants[2].value - 0.5 * published) <
+          3 * result.constants[2].standard_error);
+    for (const FittedConstant& one : result.constants) CHECK(one.identifiable);
+    CHECK(result.reduced_chi_square == Approx(1).margin(0.1));
+    CHECK(result.converged);
+
+    settings.free = {"falloff"};
+    CHECK_THROWS_WITH(fit({{&a, 0, &truth_a}}, settings), Catch::Contains("no constant 'falloff'"));
+    settings.free = {"falloffRegulator"};
+    CHECK_THROWS_WITH(fit({{&a, 0, &truth_a}}, settings), Catch::Contains("is not free"));
+}
+
+TEST_CASE("the derivative in the feedback's constant equals finite differences", "[compare][fit]") {
+    Scene scene = small_scene();
+    scene.probes->spacing *= 2;
+    scene.probes->counts = (scene.probes->counts - 1) / 2 + 1;
+    const Image truth = synthetic_truth(small_scene(), {2000, 0.2, 9000, 0}, 0.01f, 1);
+    const Observations observations(FitCase{&scene, 0, &truth});
+    const ThesisPrediction prediction({&observations, 1}, {{0, 1, 2, 3}}, true);
+    const double at = GENERATE(0.0, 1.0);
+    Jacobian jacobian;
+    const auto values = prediction.predict({6000, 0.2, 9000, at}, &jacobian);
+    // Surfels without light cannot go below 0: at 0 only the derivative to the right exists.
+    const double step = 1e-4, below = at > 0 ? step : 0;
+    const auto up = prediction.predict({6000, 0.2, 9000, at + step}, nullptr);
+    const auto down = prediction.predict({6000, 0.2, 9000, at - below}, nullptr);
+    double largest = 0, error = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double slope = jacobian(Eigen::Index(i), 3);
+        largest = std::max(largest, std::abs(slope));
+        error = std::max(error, std::abs(slope - (up[i] - down[i]) / (step + below)));
+    }
+    CHECK(largest > 0);
+    CHECK(error < 1e-3 * largest);
+}
+
+TEST_CASE("robust losses are squares for small residuals and grow as published for large ones",
+          "[compare][fit]") {
+    for (const Loss loss : {Loss::Squares, Loss::Huber, Loss::Cauchy})
+        for (const double r : {-40.0, -2.0, -0.3, 1e-9, 0.3, 1.3, 2.0, 40.0}) {
+            const double h = 1e-6 * std::abs(r);
+            const double slope = (robust(loss, r + h).value - robust(loss, r - h).value) / (2 * h);
+            CHECK(robust(loss, r).slope == Approx(slope).epsilon(1e-4));
+        }
+    CHECK(std::pow(robust(Loss::Huber, -10).value, 2) == Approx(2 * 1.345 * 10 - 1.345 * 1.345));
+    CHECK(std::pow(robust(Loss::Cauchy, 10).value, 2) ==
+          Approx(2.3849 * 2.3849 * std::log(1 + 100 / (2.3849 * 2.3849))));
+    CHECK(robust(Loss::Cauchy, 0).slope == 1);
+}
+
+namespace {
+
+/// Two layers, and a reference that is a known sum of them with noise of known variance.
+struct Passes {
+    Image a = noise_image(120, 90, 1, 1.f), b = noise_image(120, 90, 2, 1.f);
+    Image reference{120, 90};
+
+    explicit Passes(unsigned seed, float sigma = 0.05f) {
+        std::mt19937 random(seed);
+        std::normal_distribution<float> normal(0.f, sigma);
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t i = 0; i < a.pixels(); ++i) {
+                reference.layer("")[c][i] =
+                    1.7f * a.layer("")[c][i] + 0.4f * b.layer("")[c][i] + normal(random);
+                reference.layer("variance")[c][i] = sigma * sigma;
+            }
+    }
+    FitResult fit(Loss loss = Loss::Squares) const {
+        LayerFitSettings settings;
+        settings.loss = loss;
+        return fit_layers({{"a", &a, ""}, {"b", &b, ""}}, reference, settings);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("gains of layers are found within their standard errors", "[compare][fit]") {
+    double z2 = 0;
+    for (unsigned seed = 10; seed < 18; ++seed) {
+        const FitResult result = Passes(seed).fit();
+        REQUIRE(result.constants.size() == 2);
+        z2 += std::pow((result.constants[0].value - 1.7) / result.constants[0].standard_error, 2);
+        z2 += std::pow((result.constants[1].value - 0.4) / result.constants[1].standard_error, 2);
+        CHECK(result.reduced_chi_square == Approx(1).margin(0.03));
+        // Independent noise: the bootstrap over tiles agrees, and is not needed.
+        for (const FittedConstant& gain : result.constants) {
+            CHECK(gain.standard_error == gain.standard_error_covariance);
+            CHECK(gain.standard_error_bootstrap ==
+                  Approx(gain.standard_error_covariance).epsilon(0.35));
+        }
+    }
+    // Chi-square with 16 degrees of freedom: outside of 4 to 37 in 0.3 % of cases.
+    CHECK(z2 > 4);
+    CHECK(z2 < 37);
+}
+
+TEST_CASE("errors that are shared by whole tiles widen the standard errors of gains",
+          "[compare][fit]") {
+    // A misfit that is the same over 9 x 9 pixels, proportional to a layer: least squares takes
+    // each pixel as new evidence for it, of which there is a hundredth.
+    double z2 = 0;
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        Passes passes(seed, 0.01f);
+        std::mt19937 random(100 + seed);
+        std::normal_distribution<float> normal(0.f, 0.2f);
+        std::vector<float> of_tile(14 * 10);
+        for (float& value : of_tile) value = normal(random);
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t i = 0; i < passes.a.pixels(); ++i)
+                passes.reference.layer("")[c][i] +=
+                    of_tile[i / 120 / 9 * 14 + i % 120 / 9] * passes.a.layer("")[c][i];
+        const FitResult result = passes.fit();
+        const FittedConstant& gain = result.constants[0];
+        CHECK(gain.standard_error == gain.standard_error_bootstrap);
+        CHECK(gain.standard_error > 3 * gain.standard_error_covariance);
+        z2 += std::pow((gain.value - 1.7) / gain.standard_error, 2);
+    }
+    // Chi-square with 8 degrees of freedom: outside of 1 to 24 in 0.4 % of cases.
+    CHECK(z2 > 1);
+    CHECK(z2 < 24);
+}
+
+TEST_CASE("a robust loss keeps gains where squares are led astray", "[compare][fit]") {
+    Passes passes(3);
+    for (std::size_t i = 0; i < passes.a.pixels(); i += 20)
+        for (auto& channel : passes.reference.layer(""))
+            channel[i] += 30.f * passes.a.layer("")[0][i];
+    CHECK(std::abs(passes.fit().constants[0].value - 1.7) > 0.3);
+    for (const Loss loss : {Loss::Huber, Loss::Cauchy})
+        CHECK(passes.fit(loss).constants[0].value == Approx(1.7).margin(0.05));
+}
+
+TEST_CASE("layers that are the same are known by the sum of their gains only", "[compare][fit]") {
+    const Passes passes(4);
+    const FitResult result = fit_layers(
+        {{"a", &passes.a, ""}, {"b", &passes.b, ""}, {"c", &passes.a, ""}}, passes.reference, {});
+    REQUIRE(result.combinations.size() == 1);
+    CHECK(result.combinations[0].expression == "a + c");
+    CHECK(std::abs(result.combinations[0].value - 1.7) < 3 * result.combinations[0].standard_error);
+    CHECK_FALSE(result.constants[0].identifiable);
+    CHECK(result.constants[1].identifiable);
+}
+
+TEST_CASE("gains keep within their bounds and say that they reached one", "[compare][fit]") {
+    const Passes passes(5);
+    LayerFitSettings settings;
+    settings.upper = 1.2;
+    const FitResult result =
+        fit_layers({{"a", &passes.a, ""}, {"b", &passes.b, ""}}, passes.reference, settings);
+    CHECK(result.constants[0].value == Approx(1.2));
+    CHECK_THAT(result.notes.back(), Catch::Contains("a ends at its bound 1.2"));
 }

@@ -71,6 +71,46 @@ double filtered(const Grid& in, int width, int height, const Kernel& k, int x, i
     return sum;
 }
 
+/// CIE XYZ relative to the white point from linear sRGB, by the matrix of [IEC 61966-2-1] in the
+/// rational form in which FLIP's authors give it; its row sums are the white point.
+glm::dvec3 white_relative_xyz(const glm::dvec3& rgb) {
+    const glm::dvec3 x(10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794);
+    const glm::dvec3 y(2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897);
+    const glm::dvec3 z(1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382);
+    const auto ratio = [&](const glm::dvec3& row) {
+        return glm::dot(row, rgb) / (row.x + row.y + row.z);
+    };
+    return {ratio(x), ratio(y), ratio(z)};
+}
+
+glm::dvec3 opponent(const glm::dvec3& rgb) {
+    const glm::dvec3 v = white_relative_xyz(rgb);
+    return {116 * v.y - 16, 500 * (v.x - v.y), 200 * (v.y - v.z)};
+}
+
+/// The inverse of opponent(), from its values at the unit vectors.
+glm::dvec3 rgb_of_opponent(const glm::dvec3& v) {
+    const glm::dvec3 zero = opponent(glm::dvec3(0));
+    const glm::dmat3 linear(opponent({1, 0, 0}) - zero, opponent({0, 1, 0}) - zero,
+                            opponent({0, 0, 1}) - zero);
+    return glm::inverse(linear) * (v - zero);
+}
+
+/// CIELAB (CIE 15:2004) with Hunt's adjustment.
+glm::dvec3 hunt_lab(const glm::dvec3& rgb) {
+    const auto f = [](double t) {
+        const double d = 6.0 / 29;
+        return t > d * d * d ? std::cbrt(t) : t / (3 * d * d) + 4.0 / 29;
+    };
+    const glm::dvec3 v = white_relative_xyz(rgb);
+    const double L = 116 * f(v.y) - 16;
+    return {L, 0.01 * L * 500 * (f(v.x) - f(v.y)), 0.01 * L * 200 * (f(v.y) - f(v.z))};
+}
+
+double hyab_distance(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
+}
+
 struct Planes {
     std::array<Grid, 3> ycxcz;
     Grid gray;
@@ -81,19 +121,17 @@ Planes planes_of(const Image& image) {
     const auto layer = image.layer("");
     for (std::size_t i = 0; i < image.pixels(); ++i) {
         const auto channel = [&](std::size_t c) { return glm::clamp(layer[c][i], 0.f, 1.f); };
-        const glm::vec3 v = ycxcz_from_linear_rgb({channel(0), channel(1), channel(2)});
-        planes.ycxcz[0].push_back(double(v.x));
-        planes.ycxcz[1].push_back(double(v.y));
-        planes.ycxcz[2].push_back(double(v.z));
-        planes.gray.push_back((double(v.x) + 16) / 116);
+        const glm::dvec3 v = opponent({channel(0), channel(1), channel(2)});
+        planes.ycxcz[0].push_back(v.x);
+        planes.ycxcz[1].push_back(v.y);
+        planes.ycxcz[2].push_back(v.z);
+        planes.gray.push_back((v.x + 16) / 116);
     }
     return planes;
 }
 
 double reference_error(double distance) {
-    const double largest = std::pow(
-        double(hyab(hunt_lab_from_linear_rgb({0, 1, 0}), hunt_lab_from_linear_rgb({0, 0, 1}))),
-        0.7);
+    const double largest = std::pow(hyab_distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), 0.7);
     const double e = std::pow(distance, 0.7);
     return e < 0.4 * largest ? 0.95 * e / (0.4 * largest)
                              : 0.95 + 0.05 * (e - 0.4 * largest) / (0.6 * largest);
@@ -111,13 +149,13 @@ Grid reference_ldr_flip(const Image& r, const Image& t) {
     Grid map;
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
-            std::array<glm::vec3, 2> color;
+            std::array<glm::dvec3, 2> color;
             std::array<std::array<double, 2>, 2> feature{};  // edges, points
             for (std::size_t k = 0; k < 2; ++k) {
-                glm::vec3 v;
+                glm::dvec3 v;
                 for (std::size_t c = 0; c < 3; ++c)
-                    v[int(c)] = float(filtered(planes[k].ycxcz[c], w, h, contrast[c], x, y));
-                color[k] = hunt_lab_from_linear_rgb(glm::clamp(linear_rgb_from_ycxcz(v), 0.f, 1.f));
+                    v[int(c)] = filtered(planes[k].ycxcz[c], w, h, contrast[c], x, y);
+                color[k] = hunt_lab(glm::clamp(rgb_of_opponent(v), 0.0, 1.0));
                 for (std::size_t order : {0, 1})
                     feature[k][order] =
                         std::hypot(filtered(planes[k].gray, w, h, features[order][0], x, y),
@@ -126,7 +164,7 @@ Grid reference_ldr_flip(const Image& r, const Image& t) {
             const double f = std::sqrt(std::max(std::abs(feature[0][0] - feature[1][0]),
                                                 std::abs(feature[0][1] - feature[1][1])) /
                                        std::sqrt(2.0));
-            map.push_back(std::pow(reference_error(double(hyab(color[0], color[1]))), 1 - f));
+            map.push_back(std::pow(reference_error(hyab_distance(color[0], color[1])), 1 - f));
         }
     return map;
 }
@@ -293,4 +331,9 @@ TEST_CASE("very bright and negative values do not break the tone mapper", "[comp
     CHECK(std::isfinite(curve(-3e38f)));
     CHECK_THAT(double(curve(1.f)), WithinAbs(double(curve(1.0000001f)), 1e-6));
     CHECK_THAT(curve.inverse(double(curve(0.7f))), WithinAbs(0.7, 1e-5));
+}
+
+TEST_CASE("the cube root is that of the library", "[compare]") {
+    for (float t = 0.005f; t < 2.f; t *= 1.003f)
+        CHECK(double(cube_root(t)) == Approx(std::cbrt(double(t))).epsilon(4e-7));
 }

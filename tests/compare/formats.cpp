@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
 
 #include "compare/comparison.h"
 #include "compare/find_layer.h"
@@ -70,7 +71,17 @@ TEST_CASE("half and float and tiled EXR and PFM and HDR give back what was writt
           "[compare][formats]") {
     check_values(read_image(write_with_oiio("half.exr", rgb_spec(OIIO::TypeDesc::HALF))), "");
     check_values(read_image(write_with_oiio("float.exr", rgb_spec(OIIO::TypeDesc::FLOAT))), "");
-    check_values(read_image(write_with_oiio("values.pfm", rgb_spec(OIIO::TypeDesc::FLOAT))), "");
+    {
+        std::ofstream pfm(scratch("values.pfm"), std::ios::binary);
+        pfm << "PF\n" << width << " " << height << "\n-1.0\n";  // little-endian, bottom row first
+        for (int y = height - 1; y >= 0; --y)
+            for (int x = 0; x < width; ++x)
+                for (int c = 0; c < 3; ++c) {
+                    const float value = value_at(x, y, c);
+                    pfm.write(reinterpret_cast<const char*>(&value), sizeof value);
+                }
+    }
+    check_values(read_image(scratch("values.pfm")), "");
     OIIO::ImageSpec tiled = rgb_spec(OIIO::TypeDesc::HALF);
     tiled.tile_width = tiled.tile_height = 4;
     check_values(read_image(write_with_oiio("tiled.exr", tiled)), "");
