@@ -5,7 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "pathtracer/checkpoint.h"
 #include "pathtracer/commands.h"
+#include "pathtracer/interrupts.h"
+#include "pathtracer/provenance.h"
 #include "pathtracer/render.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
@@ -16,6 +19,7 @@ namespace {
 struct Arguments {
     CommonOptions common;
     RenderOptions render;
+    CheckpointOptions checkpoints;
     std::string scene;
     std::string output;
     bool json = false;
@@ -57,14 +61,27 @@ void tell(const RenderResult& result, const std::string& output) {
     }
 }
 
-void run(const Arguments& arguments) {
+void run(Arguments& arguments) {
     check_output(arguments.output);
     const auto limits = arguments.common.apply();
     const Scene scene = load_scene_for(arguments.scene, arguments.common);
-    const RenderResult result = render(scene, frame_of(scene, arguments.common), arguments.render);
-    write_exr(arguments.output, result.image);
-    tell(result, arguments.output);
-    if (arguments.json) print_json(result);
+    const Interrupts interrupts;
+    CheckpointOptions& checkpoints = arguments.checkpoints;
+    checkpoints.file = arguments.output + ".checkpoint";
+    checkpoints.interrupted = [] { return Interrupts::received() != 0; };
+    const std::optional<RenderResult> result =
+        render(scene, frame_of(scene, arguments.common), arguments.render, checkpoints);
+    if (!result) {
+        fmt::print(stderr, "{}: interrupted; the same command with --resume goes on from {}\n",
+                   arguments.output, checkpoints.file.string());
+        exit_code = 128 + Interrupts::received();  // as shells report it
+        return;
+    }
+    write_exr(arguments.output, result->image);
+    // Only now: a kill before this line costs at most what came after the last checkpoint.
+    remove_checkpoint(checkpoints.file);
+    tell(*result, arguments.output);
+    if (arguments.json) print_json(*result);
 }
 
 /// CLI11 reads "nan" as a number; nothing compares with it.
@@ -105,6 +122,16 @@ void add_render_command(CLI::App& app) {
                     "Indirect bounces; 0: direct light only (default: Russian roulette ends them)")
         ->check(CLI::Range(0, most));
     command.add_option("--seed", options.seed, "Seed of all random numbers (default: 0)");
+    command.add_option_function<std::string>(
+        "--shard",
+        [&options](const std::string& text) { options.shard = parsed_shard("--shard", text); },
+        "Render part I of N, as I/N; 'merge' joins them");
+    CheckpointOptions& checkpoints = arguments->checkpoints;
+    command.add_flag("--resume", checkpoints.resume, "Go on where the same render was interrupted");
+    command
+        .add_option("--checkpoint-every", checkpoints.every_seconds,
+                    "Seconds between checkpoints, OUT.exr.checkpoint (default: 60)")
+        ->check(above_zero());
     command.add_flag("--json", arguments->json, "Print figures as JSON on stdout");
     command.callback([arguments, target, time] {
         if (target->count() + time->count() > 0) arguments->render.spp = most;

@@ -3,6 +3,9 @@
 
 namespace plumbline {
 
-void add_pathtracer_commands(CLI::App& app) { pathtracer::add_render_command(app); }
+void add_pathtracer_commands(CLI::App& app) {
+    pathtracer::add_render_command(app);
+    pathtracer::add_merge_command(app);
+}
 
 }  // namespace plumbline

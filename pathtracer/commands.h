@@ -13,6 +13,7 @@ void add_pathtracer_commands(CLI::App& app);
 namespace pathtracer {
 
 void add_render_command(CLI::App& app);
+void add_merge_command(CLI::App& app);
 
 }  // namespace pathtracer
 

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -13,17 +14,17 @@
 namespace plumbline::pathtracer {
 namespace {
 
-/// Small enough to share out evenly, large enough that neighbouring rays share the cache.
-constexpr int tile_size = 16;
-
 /// With a batch of samples a pixel, a wave is large enough to fill packets of rays for many bounces
 /// and small enough for the second-level cache.
 constexpr int rows_a_wave = 4;
 
-int tiles_along(int pixels) { return (pixels + tile_size - 1) / tile_size; }
-
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Keeps the first pixel, row by row from the top, whatever the order in which they are found.
+void set_if_earlier(std::optional<glm::ivec2>& first, const glm::ivec2& at) {
+    if (!first || std::pair(at.y, at.x) < std::pair(first->y, first->x)) first = at;
 }
 
 /// Calls `f` with the template argument of the smallest kernel there is for `effects`.
@@ -40,79 +41,92 @@ void with_effects(Effects effects, const Function& f) {
 
 }  // namespace
 
-/// Pixels whose samples are traced together.
-struct Passes::Block {
-    int left, top, right, bottom;
-};
-
 struct Passes::TileCounts {
     std::uint64_t rays = 0;
     NonFinite non_finite;
 };
 
 Passes::Passes(const RayTracer& tracer, Effects effects, const PathOptions& options,
-               std::uint64_t seed)
+               std::uint64_t seed, const Shard& shard)
     : tracer_(tracer),
       effects_(effects),
       emitters_(has(effects, Effect::EmitterSampling) ? new Emitters(tracer.world()) : nullptr),
       options_(options),
       seed_(seed),
       camera_rays_(tracer.world().camera),
-      forward_(glm::normalize(tracer.world().camera.target - tracer.world().camera.eye)) {
+      forward_(glm::normalize(tracer.world().camera.target - tracer.world().camera.eye)),
+      all_tiles_(tracer.world().camera.width, tracer.world().camera.height),
+      tiles_(all_tiles_.of(shard)) {
     const Camera& camera = tracer.world().camera;
     if (emitters_ && !emitters_->empty()) options_.emitters = emitters_.get();
-    pixels_.resize(std::size_t(camera.width) * std::size_t(camera.height));
+    gathered_.pixels.resize(std::size_t(camera.width) * std::size_t(camera.height));
 }
 
-std::uint64_t Passes::tiles() const {
-    const Camera& camera = tracer_.world().camera;
-    return std::uint64_t(tiles_along(camera.width)) * std::uint64_t(tiles_along(camera.height));
+const PixelEstimate& Passes::first_of(int tile) const {
+    const Tiles::Bounds bounds = all_tiles_.bounds(tile);
+    const auto width = static_cast<std::size_t>(tracer_.world().camera.width);
+    return gathered_.pixels[std::size_t(bounds.top) * width + std::size_t(bounds.left)];
 }
 
-void Passes::add(const Pass& pass, Progress& progress) {
-    with_effects(effects_, [&]<Effects F>() { add_with<F>(pass, progress); });
+int Passes::samples() const {
+    std::uint32_t fewest = first_pixel().sums.samples;
+    for (const int tile : tiles_) fewest = std::min(fewest, first_of(tile).sums.samples);
+    return static_cast<int>(fewest);
+}
+
+bool Passes::between_passes() const {
+    return std::all_of(tiles_.begin(), tiles_.end(), [&](int tile) {
+        return first_of(tile).sums.samples == first_pixel().sums.samples;
+    });
+}
+
+bool Passes::add(const Pass& pass, Progress& progress, const std::function<bool()>& stop) {
+    bool complete = false;
+    with_effects(effects_, [&]<Effects F>() { complete = add_with<F>(pass, progress, stop); });
+    return complete;
 }
 
 template <Effects F>
-void Passes::add_with(const Pass& pass, Progress& progress) {
-    std::vector<TileCounts> counts(tiles());
-    tbb::parallel_for(std::size_t(0), counts.size(), [&](std::size_t tile) {
-        counts[tile] = add_tile<F>(pass, static_cast<int>(tile));
+bool Passes::add_with(const Pass& pass, Progress& progress, const std::function<bool()>& stop) {
+    std::vector<TileCounts> counts(tiles_.size());
+    std::atomic<bool> stopped = false;
+    tbb::parallel_for(std::size_t(0), tiles_.size(), [&](std::size_t i) {
+        if (first_of(tiles_[i]).sums.samples >= static_cast<std::uint32_t>(pass.last)) return;
+        if (stopped || stop()) {
+            stopped = true;
+            return;
+        }
+        counts[i] = add_tile<F>(pass, tiles_[i]);
         progress.advance();
     });
-    const auto row_major = [](const glm::ivec2& p) { return std::pair(p.y, p.x); };
     for (const TileCounts& tile : counts) {
-        rays_ += tile.rays;
-        non_finite_.samples += tile.non_finite.samples;
-        const auto& found = tile.non_finite.first;
-        if (found && (!non_finite_.first || row_major(*found) < row_major(*non_finite_.first))) {
-            non_finite_.first = found;
+        gathered_.rays += tile.rays;
+        gathered_.non_finite.samples += tile.non_finite.samples;
+        if (const auto& found = tile.non_finite.first) {
+            set_if_earlier(gathered_.non_finite.first, *found);
         }
     }
+    return !stopped;
 }
 
 template <Effects F>
 Passes::TileCounts Passes::add_tile(const Pass& pass, int tile) {
-    const Camera& camera = tracer_.world().camera;
-    const int tiles_x = tiles_along(camera.width);
-    const int left = tile % tiles_x * tile_size;
-    const int top = tile / tiles_x * tile_size;
-    const int right = std::min(left + tile_size, camera.width);
-    const int bottom = std::min(top + tile_size, camera.height);
+    const Tiles::Bounds bounds = all_tiles_.bounds(tile);
     TileCounts counts;
     Wave<F, RayTracer> wave(tracer_, options_);
-    for (int y = top; y < bottom; y += rows_a_wave) {
-        const Block block{left, y, right, std::min(y + rows_a_wave, bottom)};
+    for (int y = bounds.top; y < bounds.bottom; y += rows_a_wave) {
+        const Tiles::Bounds rows{bounds.left, y, bounds.right,
+                                 std::min(y + rows_a_wave, bounds.bottom)};
         for (int first = pass.first; first < pass.last; first += Sampler::batch_size) {
             const int last = std::min(first + Sampler::batch_size, pass.last);
-            add_wave<F>({first, last, pass.group}, block, wave, counts);
+            add_wave<F>({first, last, pass.group}, rows, wave, counts);
         }
     }
     return counts;
 }
 
 template <Effects F>
-void Passes::add_wave(const Pass& pass, const Block& block, Wave<F, RayTracer>& wave,
+void Passes::add_wave(const Pass& pass, const Tiles::Bounds& block, Wave<F, RayTracer>& wave,
                       TileCounts& counts) {
     for (int y = block.top; y < block.bottom; ++y) {
         for (int x = block.left; x < block.right; ++x) {
@@ -138,7 +152,7 @@ void Passes::add_to_pixel(const Pass& pass, std::span<const Path> paths, const g
                           TileCounts& counts) {
     const Camera& camera = tracer_.world().camera;
     PixelEstimate& pixel =
-        pixels_[std::size_t(at.y) * std::size_t(camera.width) + std::size_t(at.x)];
+        gathered_.pixels[std::size_t(at.y) * std::size_t(camera.width) + std::size_t(at.x)];
     const bool counted_singly = pixel.groups > 1 && pixel.groups == pixel.sums.samples;
     if (pass.group > 1 && counted_singly) pixel.join_groups();
     SampleSums group;
@@ -147,7 +161,7 @@ void Passes::add_to_pixel(const Pass& pass, std::span<const Path> paths, const g
         counts.rays += path.rays;
         if (!is_finite(path.direct + path.indirect)) {
             ++counts.non_finite.samples;
-            if (!counts.non_finite.first) counts.non_finite.first = at;
+            set_if_earlier(counts.non_finite.first, at);
         }
         if (pass.group > 1) continue;
         pixel.add_group(group);

@@ -39,15 +39,18 @@ void fill_channel(Image& image, const std::string& name, const std::vector<Pixel
 void fill_objects(Image& image, const RayTracer& tracer) {
     const CameraRays camera_rays(tracer.world().camera);
     const std::span<float> objects = image.channel("object.Y");
+    const std::span<const float> samples = image.channel("samples.Y");
     const int width = image.width();
     tbb::parallel_for(0, image.height(), [&](int y) {
         for (int x = 0; x < width; ++x) {
+            const auto i = std::size_t(y) * std::size_t(width) + std::size_t(x);
+            objects[i] = -1.f;
+            if (samples[i] == 0.f) continue;
             constexpr float centre = .5f;
             const Ray ray =
                 camera_rays.through(static_cast<float>(x) + centre, static_cast<float>(y) + centre);
             const auto hit = tracer.intersect(ray, BackFaces::Cull);
-            objects[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
-                hit ? static_cast<float>(hit->object) : -1.f;
+            if (hit) objects[i] = static_cast<float>(hit->object);
         }
     });
 }
@@ -58,7 +61,7 @@ Image picture(const RayTracer& tracer, const Passes& passes) {
     const Camera& camera = tracer.world().camera;
     const std::vector<PixelEstimate>& pixels = passes.pixels();
     const auto over_samples = [](const glm::dvec3& sum, const SampleSums& sums) {
-        return sum / double(sums.samples);
+        return sums.samples > 0 ? sum / double(sums.samples) : sum;
     };
     const auto over_hits = [](const auto& sum, const SampleSums& sums) {
         return sums.hits > 0 ? sum / double(sums.hits) : sum;
@@ -80,10 +83,14 @@ Image picture(const RayTracer& tracer, const Passes& passes) {
                  [&](const SampleSums& sums) { return over_hits(sums.depth, sums); });
     fill_channel(image, "samples.Y", pixels, [](const SampleSums& sums) { return sums.samples; });
     fill_objects(image, tracer);
-    if (pixels.front().groups > 1) {
-        fill_layer(image, "variance", pixels, [](Pixel p) { return p.radiance_variance(); });
+    if (passes.first_pixel().groups > 1) {
+        const auto where_sampled = [](const glm::dvec3& variance, const SampleSums& sums) {
+            return sums.samples > 0 ? variance : glm::dvec3(0.);
+        };
+        fill_layer(image, "variance", pixels,
+                   [&](Pixel p) { return where_sampled(p.radiance_variance(), p.sums); });
         fill_layer(image, "variance_indirect", pixels,
-                   [](Pixel p) { return p.indirect_variance(); });
+                   [&](Pixel p) { return where_sampled(p.indirect_variance(), p.sums); });
     }
     return image;
 }

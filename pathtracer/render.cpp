@@ -3,20 +3,33 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "pathtracer/checkpoint.h"
 #include "pathtracer/passes.h"
 #include "pathtracer/picture.h"
+#include "pathtracer/provenance.h"
+#include "pathtracer/schedule.h"
+#include "scenes/errors.h"
 
 namespace plumbline::pathtracer {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Seconds since its making, and some before that.
+class Stopwatch {
+ public:
+    explicit Stopwatch(double before = 0.) : before_(before) {}
+    double seconds() const {
+        return before_ + std::chrono::duration<double>(Clock::now() - start_).count();
+    }
 
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
+ private:
+    using Clock = std::chrono::steady_clock;
+    double before_;
+    Clock::time_point start_ = Clock::now();
+};
 
 PathOptions path_options(const RenderOptions& options) {
     PathOptions path;
@@ -27,96 +40,110 @@ PathOptions path_options(const RenderOptions& options) {
     return path;
 }
 
-/// All samples at once: by batches, or singly if there are fewer than two full batches.
-void add_all(Passes& passes, const RenderOptions& options) {
-    const int group = options.spp < 2 * Sampler::batch_size ? 1 : Sampler::batch_size;
-    Progress progress(fmt::format("{} samples a pixel", options.spp), passes.tiles());
-    passes.add({0, options.spp, group}, progress);
+/// Keeps a render in its file from time to time.
+class Keeper {
+ public:
+    Keeper(const CheckpointOptions& options, const Provenance& provenance)
+        : options_(options), provenance_(provenance) {
+        if (options.file.empty() || options.resume || !exists(options.file)) return;
+        throw UsageError(options.file.string(), "holds an unfinished render",
+                         "continue it with --resume, or delete it");
+    }
+
+    /// Puts into `passes` what the file holds, if anything; the seconds spent on it.
+    double resume(Passes& passes) const {
+        if (!options_.resume || !exists(options_.file)) return 0.;
+        Checkpoint checkpoint = read_checkpoint(options_.file, provenance_);
+        passes.restore(std::move(checkpoint.gathered));
+        return checkpoint.seconds;
+    }
+
+    bool interrupted() const { return !options_.file.empty() && options_.interrupted(); }
+    bool due() const { return !options_.file.empty() && watch_.seconds() >= next_; }
+
+    void keep(const Passes& passes, double seconds) {
+        const double start = watch_.seconds();
+        write_checkpoint(options_.file, {passes.gathered(), seconds}, provenance_);
+        constexpr double most_of_the_time = .05;
+        const double end = watch_.seconds();
+        next_ = end + std::max(options_.every_seconds, (end - start) / most_of_the_time);
+    }
+
+ private:
+    const CheckpointOptions& options_;
+    const Provenance& provenance_;
+    Stopwatch watch_;
+    double next_ = options_.every_seconds;
+};
+
+/// The camera rays that fill the layer object.
+std::uint64_t object_rays(const std::vector<PixelEstimate>& pixels) {
+    return static_cast<std::uint64_t>(std::count_if(
+        pixels.begin(), pixels.end(), [](const PixelEstimate& p) { return p.sums.samples > 0; }));
 }
 
-/// Batch by batch, until time, target or spp ends it.
-void add_batches(Passes& passes, const RenderOptions& options, Clock::time_point start) {
-    std::string error;
-    for (int done = 0;;) {
-        const Clock::time_point pass_start = Clock::now();
-        const int last = std::min(done + Sampler::batch_size, options.spp);
-        Progress progress(fmt::format("{} samples a pixel{}", last, error), passes.tiles());
-        passes.add({done, last, done == 0 ? 1 : Sampler::batch_size}, progress);
-        done = last;
-        if (done == options.spp) return;
-        if (options.target_relmse) {
-            const double relmse = relmse_estimate(passes.pixels());
-            if (relmse <= *options.target_relmse) return;
-            error = fmt::format(", relMSE {:.2g}", relmse);
+void check_shard(const Scene& scene, const RenderOptions& options) {
+    const Shard& shard = options.shard;
+    if (shard.count == 1) return;
+    if (options.seconds || options.target_relmse) {
+        throw UsageError("--shard", "shards of one picture need equal samples a pixel",
+                         "give --spp in place of --time or --target-relmse");
+    }
+    const int tiles = Tiles(scene.camera.width, scene.camera.height).count();
+    if (shard.count > tiles) {
+        throw UsageError("--shard", fmt::format("{} shards of {} tiles", shard.count, tiles),
+                         fmt::format("this picture can be cut into 1 to {}", tiles));
+    }
+}
+
+/// Adds passes until the schedule ends, or false if interrupted.
+bool add_all(Passes& passes, const RenderOptions& options, Keeper& keeper, const Stopwatch& watch) {
+    Schedule schedule(options);
+    Progress progress("", 1, schedule.passes_done(passes) * passes.tiles());
+    while (const std::optional<Pass> pass = schedule.next(passes, watch.seconds())) {
+        progress.revise(schedule.label(), schedule.passes_expected() * passes.tiles());
+        while (!passes.add(*pass, progress, [&] { return keeper.interrupted() || keeper.due(); })) {
+            keeper.keep(passes, watch.seconds());
+            if (keeper.interrupted()) return false;
         }
-        const double next_end = seconds_since(start) + seconds_since(pass_start);
-        if (options.seconds && next_end > *options.seconds) return;
     }
-}
-
-/// The variance stands on batches, not on single samples.
-bool by_batches(const Passes& passes) {
-    const PixelEstimate& pixel = passes.pixels().front();
-    return pixel.groups < pixel.sums.samples;
-}
-
-std::string options_text(const RenderOptions& options) {
-    std::string text = "max_bounces=";
-    text += options.max_bounces ? std::to_string(*options.max_bounces) : "unlimited";
-    if (options.seconds) text += fmt::format(" time={}", *options.seconds);
-    if (options.target_relmse) text += fmt::format(" target_relmse={}", *options.target_relmse);
-    return text;
-}
-
-std::string effects_text(const Scene& scene) {
-    std::string text;
-    for (const EffectReason& reason : effect_reasons(scene)) {
-        if (!reason.simulated) continue;
-        text += text.empty() ? reason.effect : ", " + reason.effect;
-    }
-    return text;
-}
-
-/// How the picture was made, for the header of its file.
-std::map<std::string, std::string> metadata(const Scene& scene, int frame,
-                                            const RenderOptions& options,
-                                            const RenderResult& result, bool by_batches) {
-    return {
-        {"plumbline:renderer", "pathtracer"},
-        {"plumbline:version", PLUMBLINE_VERSION},
-        {"plumbline:scene", scene.name},
-        {"plumbline:frame", std::to_string(frame)},
-        {"plumbline:seed", std::to_string(options.seed)},
-        {"plumbline:spp", std::to_string(result.spp)},
-        {"plumbline:options", options_text(options)},
-        {"plumbline:effects", effects_text(scene)},
-        {"plumbline:seconds", fmt::format("{:.3f}", result.seconds)},
-        {"plumbline:depth", "distance along the view axis"},
-        {"plumbline:variance", by_batches ? "of the mean, from independent batches of 16 samples"
-                                          : "of the mean, from single samples (conservative)"},
-    };
+    return true;
 }
 
 }  // namespace
 
-RenderResult render(const Scene& scene, int frame, const RenderOptions& options) {
-    const Clock::time_point start = Clock::now();
+std::optional<RenderResult> render(const Scene& scene, int frame, const RenderOptions& options,
+                                   const CheckpointOptions& checkpoints) {
+    check_shard(scene, options);
+    const Stopwatch setting_up;
+    const Provenance provenance = provenance_of(scene, frame, options);
+    Keeper keeper(checkpoints, provenance);
     const World world = world_at(scene, frame);
     const RayTracer tracer(world);
-    Passes passes(tracer, effects_of(scene), path_options(options), options.seed);
-    if (options.seconds || options.target_relmse) {
-        add_batches(passes, options, start);
-    } else {
-        add_all(passes, options);
-    }
+    Passes passes(tracer, effects_of(scene), path_options(options), options.seed, options.shard);
+    const Stopwatch watch(keeper.resume(passes) + setting_up.seconds());
+    if (!add_all(passes, options, keeper, watch)) return std::nullopt;
+
     RenderResult result{.image = picture(tracer, passes),
-                        .spp = static_cast<int>(passes.pixels().front().sums.samples),
-                        .seconds = seconds_since(start),
-                        .rays = passes.rays() + passes.pixels().size(),
+                        .spp = passes.samples(),
+                        .seconds = watch.seconds(),
+                        .rays = passes.rays() + object_rays(passes.pixels()),
                         .relmse_estimate = relmse_estimate(passes.pixels()),
                         .non_finite = passes.non_finite()};
-    result.image.metadata = metadata(scene, frame, options, result, by_batches(passes));
+    const bool by_batches = passes.first_pixel().groups < passes.first_pixel().sums.samples;
+    auto& metadata = result.image.metadata;
+    metadata = provenance;
+    metadata["plumbline:spp"] = std::to_string(result.spp);
+    metadata["plumbline:seconds"] = fmt::format("{:.3f}", result.seconds);
+    metadata["plumbline:depth"] = "distance along the view axis";
+    metadata["plumbline:variance"] = by_batches
+                                         ? "of the mean, from independent batches of 16 samples"
+                                         : "of the mean, from single samples (conservative)";
     return result;
+}
+
+RenderResult render(const Scene& scene, int frame, const RenderOptions& options) {
+    return *render(scene, frame, options, CheckpointOptions{});
 }
 
 }  // namespace plumbline::pathtracer

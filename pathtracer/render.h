@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <optional>
 
+#include "pathtracer/tiles.h"
 #include "scenes/image.h"
 #include "scenes/scene.h"
 
@@ -21,6 +24,15 @@ struct RenderOptions {
     /// bounces are all followed to their end.
     std::optional<int> max_bounces{};
     std::uint64_t seed = 0;
+    Shard shard{};  ///< of one of several renders of `spp` samples, to be merged
+};
+
+/// How a long render outlives its process.
+struct CheckpointOptions {
+    std::filesystem::path file;  ///< to keep it in while it goes on
+    double every_seconds = 60.;  ///< or less often, so that writing takes 5 % of the time at most
+    bool resume = false;         ///< go on from `file` if it is there; else it must not be there
+    std::function<bool()> interrupted = [] { return false; };  ///< called by all threads
 };
 
 /// Samples whose radiance is not finite. They are kept, so that their pixels show it.
@@ -43,9 +55,16 @@ struct RenderResult {
 
 /// Renders one frame of the scene; same seed, same pixels, whatever the threads.
 ///
-/// With `seconds` or `target_relmse`, samples are added 16 a pixel at a time, over the whole
-/// picture: the first 16 always, then as long as the time for 16 more is left and the target is not
-/// reached.
+/// Samples are added 16 a pixel at a time, over the whole picture. With `seconds` or
+/// `target_relmse`, the first 16 always, then as long as the time for 16 more is left and the
+/// target is not reached. A shard's picture has samples in its own tiles alone, and zeros
+/// elsewhere.
 RenderResult render(const Scene& scene, int frame, const RenderOptions& options);
+
+/// The same, with checkpoints: killed at any moment and resumed it gives the same pixels, and
+/// counts the seconds before. None if `interrupted` ended it; `file` then holds all that is done.
+/// Throws UsageError if `file` is there without `resume`, ImageError if it does not fit.
+std::optional<RenderResult> render(const Scene& scene, int frame, const RenderOptions& options,
+                                   const CheckpointOptions& checkpoints);
 
 }  // namespace plumbline::pathtracer

@@ -22,10 +22,12 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::string label, std::uint64_t total)
+Progress::Progress(std::string label, std::uint64_t total, std::uint64_t done)
     : label_(std::move(label)),
       total_(std::max<std::uint64_t>(total, 1)),
+      done_before_(done),
       visible_(visible()),
+      done_(done),
       start_(std::chrono::steady_clock::now()) {}
 
 Progress::~Progress() {
@@ -47,14 +49,22 @@ void Progress::advance(std::uint64_t steps) {
     draw(done);
 }
 
+void Progress::revise(std::string label, std::uint64_t total) {
+    const std::lock_guard lock(drawing_);
+    label_ = std::move(label);
+    total_ = std::max<std::uint64_t>(total, 1);
+}
+
 void Progress::draw(std::uint64_t done) {
     const double part = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
     const auto filled = static_cast<std::size_t>(part * bar_width);
     std::string bar(filled, '#');
     bar.resize(bar_width, '.');
+    const double steps = static_cast<double>(done - done_before_);
+    const double steps_left = static_cast<double>(total_ - std::min(done, total_));
     const std::string left =
-        part > 0 ? clock_text(elapsed.count() * (1 - part) / part) + " left" : "";
+        steps > 0 ? clock_text(elapsed.count() * steps_left / steps) + " left" : "";
     fmt::print(stderr, "\r\033[K{} [{}] {:3.0f} % {}", label_, bar, 100 * part, left);
     std::fflush(stderr);
 }

@@ -100,6 +100,25 @@ TEST_CASE("a glowing rectangle lights a parallel floor by its form factor",
     CHECK(std::sqrt(estimate.radiance_variance().y) < .02 * double(floor_albedo.y) * Le * factor);
 }
 
+TEST_CASE("a glowing rectangle lights a perpendicular floor by its form factor",
+          "[pathtracer][analytic]") {
+    // From an element to a rectangle that stands upright, of width b and height a, at distance c,
+    // its lower corner nearest; X = a/b, Y = c/b [Howell, A Catalog of Radiation Heat Transfer
+    // Configuration Factors, B-4].
+    constexpr double a = 3., b = 2., c = .8, Le = 4.;
+    Scene scene = floor_scene();
+    const int glowing = test::add_material(scene, Spectrum(0.f), Spectrum(float(Le)));
+    test::add_object(
+        scene, Quad{{-float(c), 0.f, 0.f}, {0.f, float(a), 0.f}, {0.f, 0.f, float(b)}, glowing});
+    const PixelEstimate estimate = direct_at(scene, 0.f, 0.f, 2000);
+
+    const double X = a / b, Y = c / b, root = std::sqrt(X * X + Y * Y);
+    const double factor = (std::atan(1. / Y) - Y / root * std::atan(1. / root)) / (2. * pi);
+    const double expected = double(floor_albedo.y) * Le * factor;
+    CHECK(std::abs(test::radiance_z(estimate, 1, expected)) < 4.);
+    CHECK(std::sqrt(estimate.radiance_variance().y) < .02 * expected);
+}
+
 TEST_CASE("a glowing sphere lights the floor below by (r / d)^2", "[pathtracer][analytic]") {
     // E = pi Le (r/d)^2 for an element that faces the centre of a sphere above its horizon.
     constexpr float Le = 3.f, r = 1.f, d = 2.5f;

@@ -4,11 +4,12 @@
 #include <tbb/global_control.h>
 
 #include <catch2/catch.hpp>
-#include <cstring>
 #include <limits>
 
 #include "pathtracer/passes.h"
+#include "tests/pathtracer/pictures.h"
 #include "tests/pathtracer/scenes.h"
+#include "tests/pathtracer/statistics.h"
 
 namespace plumbline::pathtracer {
 namespace {
@@ -19,17 +20,8 @@ RenderResult render_with_threads(std::size_t threads, const Scene& scene,
     return render(scene, 0, options);
 }
 
-bool same_bits(std::span<const float> a, std::span<const float> b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
-}
-
-bool same_pixels(const Image& a, const Image& b) {
-    if (a.channel_names() != b.channel_names()) return false;
-    for (const std::string& name : a.channel_names()) {
-        if (!same_bits(a.channel(name), b.channel(name))) return false;
-    }
-    return true;
-}
+using test::same_bits;
+using test::same_pixels;
 
 /// Mean over pixels and channels of a layer, with its variance.
 struct Mean {
@@ -129,6 +121,38 @@ TEST_CASE("roulette changes the noise, not the mean", "[pathtracer]") {
         CHECK(std::abs(difference) < 4. * std::sqrt(variance));
         CHECK(std::sqrt(variance) < .01 * a.sums.radiance()[c] / a.sums.samples);
     }
+}
+
+TEST_CASE("roulette changes the mean of no pixel", "[pathtracer][statistics]") {
+    // z-test of each pixel and channel with the variances of both pictures [Sidak 1967]. With 64
+    // batches a picture, z has Student's distribution with 126 degrees of freedom, near normal.
+    constexpr int width = 12, height = 9, spp = 64 * Sampler::batch_size;
+    const World world = world_at(test::mixed_room(width, height), 0);
+    const RayTracer tracer(world);
+    const auto gathered = [&](const PathOptions& options, std::uint64_t seed) {
+        Passes passes(tracer, test::all_effects, options, seed);
+        Progress progress("test", passes.tiles());
+        passes.add({0, spp, Sampler::batch_size}, progress);
+        return passes.pixels();
+    };
+    const auto full = gathered({.max_scatterings = 30, .roulette = false}, 1);
+    const auto early = gathered({.max_scatterings = 30, .roulette_start = 1}, 2);
+    const double limit = plumbline::test::sidak_limit(3 * width * height);
+    double squares = 0.;
+    for (std::size_t i = 0; i < full.size(); ++i) {
+        for (const int c : {0, 1, 2}) {
+            const double difference =
+                (full[i].sums.radiance()[c] - early[i].sums.radiance()[c]) / spp;
+            const double z = difference / std::sqrt(full[i].radiance_variance()[c] +
+                                                    early[i].radiance_variance()[c]);
+            CHECK(std::abs(z) < limit);
+            squares += z * z;
+        }
+    }
+    // The variances are right too, not just large. Channels of a pixel may err alike, so that z^2
+    // has the spread of one deviate a pixel.
+    const double mean_square = squares / (3. * width * height);
+    CHECK(std::abs(mean_square - 1.) < 4. * std::sqrt(2. / (width * height)));
 }
 
 TEST_CASE("code for effects that the scene lacks changes no bit", "[pathtracer]") {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "pathtracer/commands.h"
+#include "pathtracer/merge.h"
+#include "scenes/command_line.h"
+
+namespace plumbline::pathtracer {
+
+void add_merge_command(CLI::App& app) {
+    struct Arguments {
+        std::vector<std::filesystem::path> shards;
+        std::string output;
+    };
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App& command = *app.add_subcommand("merge", "Join the shards of a render, in any order");
+    command.add_option("shards", arguments->shards, "EXR files of 'render --shard I/N'")
+        ->required();
+    command.add_option("-o,--output", arguments->output, "EXR file to write")->required();
+    command.callback([arguments] {
+        const Image image = merge(arguments->shards);
+        write_exr(arguments->output, image);
+        fmt::print(stderr, "{}: {} shards, {} samples a pixel, {} s in all\n", arguments->output,
+                   arguments->shards.size(), image.metadata.at("plumbline:spp"),
+                   image.metadata.at("plumbline:seconds"));
+    });
+}
+
+}  // namespace plumbline::pathtracer
