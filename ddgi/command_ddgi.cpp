@@ -22,6 +22,8 @@ struct Arguments {
     std::string output;
     std::vector<std::string> set;
     std::string gi = "on";
+    bool no_shift = false;
+    bool no_parallax = false;
     bool no_cache = false;
     bool json = false;
 };
@@ -75,6 +77,8 @@ void run(Arguments& arguments) {
     for (const std::string& text : arguments.set) arguments.ddgi.set.insert(parse_constant(text));
     arguments.ddgi.gi = arguments.gi == "on";
     arguments.ddgi.cache = !arguments.no_cache;
+    arguments.ddgi.probes.shifted = !arguments.no_shift;
+    arguments.ddgi.probes.parallax = !arguments.no_parallax;
     const auto limits = arguments.common.apply();
     const Scene scene = load_scene_for(arguments.scene, arguments.common);
     const DdgiResult result = render(scene, frame_of(scene, arguments.common), arguments.ddgi);
@@ -117,6 +121,34 @@ void add_probe_options(CLI::App& command, Arguments& arguments) {
                        "Distance between probes, over the same extent (default: the scene's)");
 }
 
+/// The choices of the model conserving.
+void add_model_options(CLI::App& command, Arguments& arguments) {
+    ProbeOptions& options = arguments.ddgi.probes;
+    const auto choice = [&](const std::string& flag, auto& value, const auto& names,
+                            const std::string& what) {
+        command.add_option(flag, value, what)
+            ->transform(CLI::CheckedTransformer(names, CLI::ignore_case).description(""));
+    };
+    choice("--storage", options.storage, storage_names,
+           "What a probe of conserving keeps: the radiance of all its rays, or the mean of each "
+           "octant: rays, octants (default: rays)");
+    choice("--weights", options.weights, weights_names,
+           "How conserving tempers the trilinear weights of probes: none, backface (those behind "
+           "a surface fade), visibility (those that a point does not see do not count) (default: "
+           "visibility)");
+    choice("--feedback", options.feedback, feedback_names,
+           "What surfels of conserving take the probes' light from: maps of irradiance made once "
+           "an update, or rays, as pixels do: slower (default: maps)");
+    command.add_flag(
+        "--no-shift", arguments.no_shift,
+        "All probes of conserving have the same ray pattern, not one shifted for each");
+    command.add_flag("--no-parallax", arguments.no_parallax,
+                     "Pixels take rays' ends to be as far from them as from the probe");
+    command.add_option("--edge-samples", arguments.ddgi.edge_samples,
+                       "Samples of a pixel on an edge: 4, as elsewhere, or 16 (default: 4 for "
+                       "thesis, 16 for the others)");
+}
+
 }  // namespace
 
 void add_ddgi_command(CLI::App& app) {
@@ -127,6 +159,7 @@ void add_ddgi_command(CLI::App& app) {
     command.add_option("-o,--output", arguments->output, "EXR file to write")->required();
     add_common_options(command, arguments->common);
     add_probe_options(command, *arguments);
+    add_model_options(command, *arguments);
     command.add_flag("--json", arguments->json, "Print the last frame's figures on stdout");
     command.callback([arguments] { run(*arguments); });
 }

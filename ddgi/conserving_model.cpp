@@ -13,9 +13,9 @@ namespace plumbline::ddgi {
 namespace {
 
 /// E(x, n) from the probes, W m^-2.
-Spectrum irradiance(const ProbeGrid& grid, std::span<const float> values, const glm::vec3& x,
+Spectrum irradiance(const ProbeNeighbours& around, std::span<const float> values,
                     std::span<const float> cosines) {
-    const auto [r, g, b] = look_up<float>(probe_neighbours(grid, x), cosines, values);
+    const auto [r, g, b] = look_up<float>(around, cosines, values);
     return {r, g, b};
 }
 
@@ -26,17 +26,17 @@ void ConservingModel::average(std::span<float> values, const Radiance& radiance)
     const std::size_t per_octant = cache_->pattern().per_octant();
     const auto average_octant = [&](std::size_t probe, std::size_t d) {
         Spectrum sum(0.f);
-        const std::size_t first = (probe * bins() + d) * per_octant;
+        const std::size_t first = (probe * octant_count + d) * per_octant;
         for (std::size_t i = first; i < first + per_octant; ++i) sum += radiance(i);
         for (std::size_t c = 0; c < 3; ++c) {
-            values[value_index(probe, c, d, bins())] =
+            values[value_index(probe, c, d, octant_count)] =
                 sum[static_cast<int>(c)] / static_cast<float>(per_octant);
         }
     };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, probe_count(grid_)),
                       [&](const tbb::blocked_range<std::size_t>& probes) {
                           for (std::size_t p = probes.begin(); p < probes.end(); ++p) {
-                              for (std::size_t d = 0; d < bins(); ++d) average_octant(p, d);
+                              for (std::size_t d = 0; d < octant_count; ++d) average_octant(p, d);
                           }
                       });
 }
@@ -59,7 +59,7 @@ void ConservingModel::take_surfels(const SurfelCache& cache, const Spectrum& env
     });
     emitted_.clear();
     if (!any_emits) return;
-    emitted_.resize(probe_count(grid_) * 3 * bins());
+    emitted_.resize(probe_count(grid_) * 3 * octant_count);
     average(emitted_, [&](std::size_t i) { return emitted(i); });
 }
 
@@ -67,14 +67,19 @@ void ConservingModel::update(std::span<const float> previous, std::span<float> n
     const Surfels& surfels = cache_->surfels();
     average(next, [&](std::size_t i) {
         if (!surfels.hit(i) || surfels.albedo[i] == Spectrum(0.f)) return unfed_[i];
-        const Spectrum E = irradiance(grid_, previous, surfels.position[i], cosines_[i]);
+        const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[i];
+        const ProbeNeighbours around =
+            weighted_probes(grid_, surfels.position[i], surfels.n[i], weights_, seen);
+        const Spectrum E = irradiance(around, previous, cosines_[i]);
         return unfed_[i] + surfels.albedo[i] / glm::pi<float>() * E;
     });
 }
 
 Spectrum ConservingModel::probe_light(std::span<const float> values,
                                       const ReceiverPoint& point) const {
-    const Spectrum E = irradiance(grid_, values, point.position, octant_cosines(point.n));
+    const ProbeNeighbours around =
+        weighted_probes(grid_, point.position, point.n, weights_, point.seen);
+    const Spectrum E = irradiance(around, values, octant_cosines(point.n));
     return point.albedo / glm::pi<float>() * E;
 }
 

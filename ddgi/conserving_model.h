@@ -14,11 +14,12 @@ namespace plumbline::ddgi {
 /// the largest value, by the largest albedo of the scene. There is no constant to tune.
 class ConservingModel final : public ProbeModel {
  public:
-    explicit ConservingModel(const ProbeGrid& grid) : grid_(grid) {}
+    ConservingModel(const ProbeGrid& grid, ProbeWeights weights) : grid_(grid), weights_(weights) {}
 
     RayPattern pattern(int surfels) const override { return even_pattern(surfels); }
     Reach reach() const override { return Reach::FirstSurface; }
-    std::size_t bins() const override { return octant_count; }
+    ProbeWeights weights() const override { return weights_; }
+    std::size_t bins(int) const override { return octant_count; }
     void take_surfels(const SurfelCache& cache, const Spectrum& environment) override;
     void update(std::span<const float> previous, std::span<float> next) const override;
     Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
@@ -30,6 +31,7 @@ class ConservingModel final : public ProbeModel {
     void average(std::span<float> values, const Radiance& radiance) const;
 
     ProbeGrid grid_;
+    ProbeWeights weights_;
     const SurfelCache* cache_ = nullptr;
     std::vector<OctantCosines> cosines_;  ///< W_d(n) of each surfel
     std::vector<Spectrum> unfed_;         ///< radiance each surfel ray brings without any feedback

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ddgi/conserving_model.h"
+#include "ddgi/rays_model.h"
 #include "ddgi/thesis_model.h"
 #include "scenes/errors.h"
 #include "scenes/nearest_name.h"
@@ -37,6 +38,13 @@ ModelSetup make_thesis(const Scene& scene, const ProbeGrid& grid,
     return setup;
 }
 
+std::unique_ptr<ProbeModel> make_conserving(const ProbeGrid& grid, const ProbeOptions& options) {
+    if (options.storage == Storage::Octants) {
+        return std::make_unique<ConservingModel>(grid, options.weights);
+    }
+    return std::make_unique<RaysModel>(grid, options);
+}
+
 }  // namespace
 
 Spectrum ProbeModel::emitted_light(const ReceiverPoint&) const { return Spectrum(0.f); }
@@ -48,11 +56,11 @@ std::map<std::string, double> ProbeModel::constants() const { return {}; }
 std::vector<std::string> model_names() { return {"conserving", "thesis"}; }
 
 ModelSetup make_model(const std::string& name, const Scene& scene, const ProbeGrid& grid,
-                      const std::map<std::string, double>& set) {
+                      const std::map<std::string, double>& set, const ProbeOptions& options) {
     if (name == "thesis") return make_thesis(scene, grid, set);
     if (name == "conserving") {
         refuse_constants(name, set);
-        return {std::make_unique<ConservingModel>(grid), {}};
+        return {make_conserving(grid, options), {}};
     }
     const std::vector<std::string> names = model_names();
     throw UsageError("--model",

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ddgi/probe_options.h"
 #include "ddgi/surfel_cache.h"
 
 namespace plumbline::ddgi {
@@ -16,6 +17,7 @@ struct ReceiverPoint {
     glm::vec3 position;  ///< world space
     glm::vec3 n;         ///< unit normal on the side that is seen
     Spectrum albedo;
+    std::uint8_t seen = all_probes;  ///< see seen_probes(); asked for with Visibility only
 };
 
 /// A way to fill probes from surfels and to light surfaces from probes.
@@ -29,8 +31,11 @@ class ProbeModel {
 
     virtual RayPattern pattern(int surfels) const = 0;
     virtual Reach reach() const = 0;
-    /// Values a probe and channel.
-    virtual std::size_t bins() const = 0;
+    /// Whether pixels on edges get more samples; the published picture has four everywhere.
+    virtual bool samples_edges() const { return true; }
+    virtual ProbeWeights weights() const { return ProbeWeights::None; }
+    /// Values a probe and channel, where probes have `surfels` rays.
+    virtual std::size_t bins(int surfels) const = 0;
 
     /// Takes in new surfels. They, and `environment`, radiance, stay as they are until the next
     /// call; `cache` must live on.
@@ -61,9 +66,9 @@ struct ModelSetup {
 std::vector<std::string> model_names();
 
 /// Makes a model for a scene whose probes stand on `grid`, which may differ from the scene's own.
-/// `set` overrides constants. Throws UsageError for an unknown model or constant, or a value out
-/// of range.
+/// `set` overrides constants; `options` are for conserving. Throws UsageError for an unknown model
+/// or constant, or a value out of range.
 ModelSetup make_model(const std::string& name, const Scene& scene, const ProbeGrid& grid,
-                      const std::map<std::string, double>& set);
+                      const std::map<std::string, double>& set, const ProbeOptions& options);
 
 }  // namespace plumbline::ddgi

@@ -20,17 +20,31 @@ Bounds with_margin(const Bounds& box) {
 Motion motion_between(const World& before, const World& after) {
     assert(before.objects.size() == after.objects.size());
     Motion motion;
+    motion.moved.resize(after.objects.size(), false);
     for (std::size_t i = 0; i < after.objects.size(); ++i) {
         const World::Object& was = before.objects[i];
         const World::Object& is = after.objects[i];
         // A turning object may keep its box, so transforms are compared.
         if (was.to_world == is.to_world) continue;
+        motion.moved[i] = true;
         if (!was.bounds.empty()) motion.boxes.push_back(with_margin(was.bounds));
         if (!is.bounds.empty()) motion.boxes.push_back(with_margin(is.bounds));
     }
     motion.lights =
         before.lights != after.lights || before.directional_lights != after.directional_lights;
     return motion;
+}
+
+World moved_part(const World& world, const Motion& motion) {
+    const auto moved = [&](const auto& part) {
+        return motion.moved[static_cast<std::size_t>(part.object)];
+    };
+    World movers;
+    movers.objects = world.objects;
+    movers.materials = world.materials;
+    std::ranges::copy_if(world.meshes, std::back_inserter(movers.meshes), moved);
+    std::ranges::copy_if(world.spheres, std::back_inserter(movers.spheres), moved);
+    return movers;
 }
 
 bool meets(const Bounds& box, const glm::vec3& origin, const glm::vec3& direction, float length) {

@@ -11,10 +11,14 @@ namespace plumbline::ddgi {
 struct Motion {
     /// Of every object that moved: where it was and where it is, grown by the rounding of rays.
     std::vector<Bounds> boxes;
-    bool lights = false;  ///< a light changed
+    std::vector<bool> moved;  ///< one an object of the world
+    bool lights = false;      ///< a light changed
 
     bool none() const { return boxes.empty() && !lights; }
 };
+
+/// What moved alone, where it is now.
+World moved_part(const World& world, const Motion& motion);
 
 /// Compares two frames of one scene.
 Motion motion_between(const World& before, const World& after);

@@ -23,10 +23,29 @@ glm::vec3 direction_at(double cos_polar, double azimuth) {
     return glm::vec3(sin_polar * std::cos(azimuth), cos_polar, sin_polar * std::sin(azimuth));
 }
 
+const double golden = (std::sqrt(5.) - 1.) / 2.;
+
+/// Powers of the plastic constants of three and two dimensions [Roberts 2018]: by how much of a
+/// full shift probes differ that are neighbours along x, y and z.
+constexpr glm::dvec3 height_shifts(.819172513396164, .671043606703789, .549700477901970);
+constexpr glm::dvec3 turn_shifts(.754877666246693, .569840290998053, .430159709001947);
+
+/// Ray i of n on the sphere's lattice, slid and turned by parts in [0, 1) of a step and a turn.
+glm::vec3 sphere_direction(int i, int n, double slide, double turn) {
+    const double cos_polar = 1. - 2. * (i + slide) / n;
+    return direction_at(cos_polar, 2. * pi * (std::fmod(golden * i, 1.) + turn));
+}
+
+/// Throws UsageError.
+void check_even(int surfels) {
+    if (surfels >= 8 && surfels <= most_surfels && surfels % 8 == 0) return;
+    throw UsageError("--surfels", fmt::format("{} rays do not share out over octants", surfels),
+                     fmt::format("give a multiple of 8 from 8 to {}", most_surfels));
+}
+
 /// Points of an upper octant around azimuth 0, as (cos polar angle, azimuth): a rank-1 lattice with
 /// the golden ratio, so that each stands for the same solid angle, centred in azimuth.
 std::vector<glm::dvec2> even_octant(int count) {
-    const double golden = (std::sqrt(5.) - 1.) / 2.;
     std::vector<glm::dvec2> points;
     double mean = 0.;
     for (int i = 0; i < count; ++i) {
@@ -64,10 +83,7 @@ RayPattern thesis_pattern(int surfels) {
 }
 
 RayPattern even_pattern(int surfels) {
-    if (surfels < 8 || surfels > most_surfels || surfels % 8 != 0) {
-        throw UsageError("--surfels", fmt::format("{} rays do not share out over octants", surfels),
-                         fmt::format("give a multiple of 8 from 8 to {}", most_surfels));
-    }
+    check_even(surfels);
     const std::vector<glm::dvec2> octant = even_octant(surfels / 8);
     RayPattern pattern;
     for (int d = 0; d < int{octant_count}; ++d) {
@@ -77,6 +93,26 @@ RayPattern even_pattern(int surfels) {
         }
     }
     return pattern;
+}
+
+RayPattern sphere_pattern(int surfels, bool shifted) {
+    check_even(surfels);
+    RayPattern pattern{{}, shifted};
+    for (int i = 0; i < surfels; ++i) {
+        pattern.directions.push_back(sphere_direction(i, surfels, .5, 0.));
+    }
+    return pattern;
+}
+
+std::vector<glm::vec3> probe_directions(const RayPattern& pattern, const glm::ivec3& cell) {
+    if (!pattern.shifted) return pattern.directions;
+    const double slide = glm::fract(glm::dot(glm::dvec3(cell), height_shifts));
+    const double turn = glm::fract(glm::dot(glm::dvec3(cell), turn_shifts));
+    std::vector<glm::vec3> directions;
+    for (int i = 0; i < pattern.size(); ++i) {
+        directions.push_back(sphere_direction(i, pattern.size(), slide, turn));
+    }
+    return directions;
 }
 
 }  // namespace plumbline::ddgi

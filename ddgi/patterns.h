@@ -24,25 +24,40 @@ constexpr std::array<glm::ivec3, octant_count> principal_directions = {{
     {0, -1, -1},
 }};
 
-/// Unit directions of a probe's surfel rays, the same for all probes, sorted by octant: octant d
-/// owns [d * per_octant(), (d + 1) * per_octant()).
+/// Unit directions of a probe's surfel rays.
 struct RayPattern {
     std::vector<glm::vec3> directions;
+    /// Each probe has its own shift of the pattern, see probe_directions().
+    bool shifted = false;
 
     int size() const { return static_cast<int>(directions.size()); }
+    /// For patterns sorted by octant: octant d owns [d * per_octant(), (d + 1) * per_octant()).
     std::size_t per_octant() const { return directions.size() / octant_count; }
 };
 
 /// The numbers of rays that thesis_pattern() is published for.
 constexpr std::array<int, 4> thesis_pattern_sizes = {64, 96, 128, 160};
 
-/// The pattern of [Dellson 2023]: rings even in polar angle, hence denser near the poles.
+/// The pattern of [Dellson 2023], sorted by octant: rings even in polar angle, hence denser near
+/// the poles.
 /// `surfels` is one of thesis_pattern_sizes; throws UsageError otherwise.
 RayPattern thesis_pattern(int surfels);
 
-/// Rays that stand for equal solid angles 4 pi / surfels: in each octant a golden-ratio lattice,
-/// mapped to the sphere by an area-preserving map.
+/// Rays that stand for equal solid angles 4 pi / surfels, sorted by octant: in each a golden-ratio
+/// lattice, mapped to the sphere by an area-preserving map.
 /// `surfels` is a positive multiple of 8; throws UsageError otherwise.
 RayPattern even_pattern(int surfels);
+
+/// Rays that stand for equal solid angles 4 pi / surfels: one golden-ratio lattice on the whole
+/// sphere. With `shifted`, each probe turns it by its own azimuth and slides it by its own part of
+/// the lattice's step in height.
+/// `surfels` is a positive multiple of 8; throws UsageError otherwise.
+RayPattern sphere_pattern(int surfels, bool shifted);
+
+/// The directions of the probe at `cell` of its grid.
+///
+/// The shifts follow a rank-1 lattice over the grid [Roberts 2018], so that probes near each other
+/// have unlike shifts: where a look-up blends eight of them their quadrature errors average out.
+std::vector<glm::vec3> probe_directions(const RayPattern& pattern, const glm::ivec3& cell);
 
 }  // namespace plumbline::ddgi

@@ -18,7 +18,7 @@ struct View {
     const RayTracer& tracer;
     const ProbeModel& model;
     const ProbeVolume* volume;
-    int shadow_rays;
+    PictureOptions options;
     CameraRays rays;
     glm::vec3 forward;  ///< unit view axis
 };
@@ -30,23 +30,46 @@ struct PixelSums {
     glm::vec3 normal{0.f};
     float depth = 0.f;
     int hits = 0;
+    int samples = 0;
+    int object = -1;  ///< what the first sample met
+    glm::vec3 first_n{0.f};
+    bool edge = false;  ///< another sample met another object or side
     std::uint64_t shadow_rays = 0;
+
+    void note_surface(const std::optional<Hit>& hit) {
+        const int object_met = hit ? hit->object : -1;
+        const glm::vec3 n = hit ? hit->n() : glm::vec3(0.f);
+        if (samples == 0) {
+            object = object_met;
+            first_n = n;
+        }
+        // Normals of a curved surface differ a little from sample to sample.
+        constexpr float like = .9f;
+        edge = edge || object_met != object || (hit && glm::dot(n, first_n) < like);
+        ++samples;
+    }
 };
 
 void add_sample(const View& view, const Ray& ray, PixelSums& sums) {
     const World& world = view.tracer.world();
     const std::optional<Hit> hit = view.tracer.intersect(ray, BackFaces::Cull);
+    sums.note_surface(hit);
     if (!hit) {
         sums.direct += world.environment;
         return;
     }
-    const ReceiverPoint point{offset_origin(*hit, hit->n()), hit->n(), hit->albedo};
-    const DirectLight light = direct_light(view.tracer, point.position, point.n, view.shadow_rays);
+    ReceiverPoint point{offset_origin(*hit, hit->n()), hit->n(), hit->albedo};
+    const DirectLight light =
+        direct_light(view.tracer, point.position, point.n, view.options.shadow_rays);
     sums.direct += world.materials[static_cast<std::size_t>(hit->material)].emission +
                    hit->albedo / glm::pi<float>() * light.irradiance;
     sums.shadow_rays += light.shadow_rays;
     sums.ambient += view.model.ambient(hit->albedo);
     if (view.volume != nullptr) {
+        if (view.model.weights() == ProbeWeights::Visibility) {
+            point.seen =
+                seen_probes(view.tracer, view.volume->cache().grid(), point.position, point.n);
+        }
         const Spectrum emitted = view.model.emitted_light(point);
         sums.direct += emitted;
         sums.indirect += view.model.probe_light(view.volume->values(), point) - emitted;
@@ -55,6 +78,22 @@ void add_sample(const View& view, const Ray& ray, PixelSums& sums) {
     sums.normal += hit->n();
     sums.depth += glm::dot(hit->position - world.camera.eye, view.forward);
     ++sums.hits;
+}
+
+PixelSums sum_samples(const View& view, std::span<const glm::vec2> points) {
+    PixelSums sums;
+    for (const glm::vec2& at : points) add_sample(view, view.rays.through(at.x, at.y), sums);
+    return sums;
+}
+
+/// Adds the shadow rays that it took to `shadow_rays`.
+PixelSums sample_pixel(const View& view, int x, int y, std::uint64_t& shadow_rays) {
+    PixelSums sums = sum_samples(view, pixel_samples(x, y));
+    shadow_rays += sums.shadow_rays;
+    if (!view.options.sample_edges || !sums.edge) return sums;
+    sums = sum_samples(view, edge_samples(x, y));
+    shadow_rays += sums.shadow_rays;
+    return sums;
 }
 
 /// The channels of a picture, each row by row.
@@ -72,7 +111,7 @@ class Layers {
     }
 
     void set(std::size_t pixel, const PixelSums& sums, float object) {
-        constexpr auto samples = static_cast<float>(samples_per_pixel);
+        const auto samples = static_cast<float>(sums.samples);
         const auto hits = static_cast<float>(glm::max(sums.hits, 1));
         put(direct_, pixel, sums.direct / samples);
         put(indirect_, pixel, sums.indirect / samples);
@@ -105,13 +144,26 @@ std::array<glm::vec2, samples_per_pixel> pixel_samples(int x, int y) {
     return {centre + right, centre - right, centre + down, centre - down};
 }
 
+std::array<glm::vec2, samples_on_edges> edge_samples(int x, int y) {
+    constexpr auto count = static_cast<float>(samples_on_edges);
+    const auto bits_reversed = [](unsigned i) {
+        return (i & 1u) << 3u | (i & 2u) << 1u | (i & 4u) >> 1u | (i & 8u) >> 3u;
+    };
+    std::array<glm::vec2, samples_on_edges> points;
+    for (unsigned i = 0; i < points.size(); ++i) {
+        const glm::vec2 in_pixel(static_cast<float>(i), static_cast<float>(bits_reversed(i)));
+        points[i] = glm::vec2(x, y) + (in_pixel + .5f) / count;
+    }
+    return points;
+}
+
 Picture take_picture(const RayTracer& tracer, const ProbeModel& model, const ProbeVolume* volume,
-                     int shadow_rays) {
+                     const PictureOptions& options) {
     const Camera& camera = tracer.world().camera;
     const View view{tracer,
                     model,
                     volume,
-                    shadow_rays,
+                    options,
                     CameraRays(camera),
                     glm::normalize(camera.target - camera.eye)};
     Picture picture{Image(camera.width, camera.height), 0};
@@ -121,10 +173,7 @@ Picture take_picture(const RayTracer& tracer, const ProbeModel& model, const Pro
     tbb::parallel_for(0, camera.height, [&](int y) {
         std::uint64_t row_rays = 0;
         for (int x = 0; x < camera.width; ++x) {
-            PixelSums sums;
-            for (const glm::vec2& at : pixel_samples(x, y)) {
-                add_sample(view, view.rays.through(at.x, at.y), sums);
-            }
+            const PixelSums sums = sample_pixel(view, x, y, row_rays);
             const Ray centre =
                 view.rays.through(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
             const auto hit = tracer.intersect(centre, BackFaces::Cull);
@@ -132,7 +181,6 @@ Picture take_picture(const RayTracer& tracer, const ProbeModel& model, const Pro
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width) +
                 static_cast<std::size_t>(x);
             layers.set(pixel, sums, hit ? static_cast<float>(hit->object) : -1.f);
-            row_rays += sums.shadow_rays;
         }
         rays += row_rays;
     });

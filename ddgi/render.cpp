@@ -19,6 +19,11 @@ void check(const DdgiOptions& options) {
         throw UsageError("--shadow-rays", fmt::format("{} rays", options.shadow_rays),
                          "give 1 or more");
     }
+    if (options.edge_samples && *options.edge_samples != samples_per_pixel &&
+        *options.edge_samples != samples_on_edges) {
+        throw UsageError("--edge-samples", fmt::format("{} samples", *options.edge_samples),
+                         fmt::format("give {} or {}", samples_per_pixel, samples_on_edges));
+    }
     if (options.updates && *options.updates < 0) {
         throw UsageError("--updates", fmt::format("{} updates", *options.updates),
                          "give 0 or more");
@@ -58,6 +63,11 @@ std::uint64_t count_non_finite(const Image& image, std::vector<std::string>& not
     return count;
 }
 
+PictureOptions picture_options(const DdgiOptions& options, const ProbeModel& model) {
+    const int on_edges = model.samples_edges() ? samples_on_edges : samples_per_pixel;
+    return {options.shadow_rays, options.edge_samples.value_or(on_edges) == samples_on_edges};
+}
+
 void describe(Image& image, const Scene& scene, int frame, const DdgiOptions& options,
               const DdgiResult& result) {
     image.metadata["plumbline:version"] = PLUMBLINE_VERSION;
@@ -83,7 +93,8 @@ DdgiResult render_with_probes(const Scene& scene, int frame, const DdgiOptions& 
     ProbeVolume volume(scene, options);
     play(volume, frame, options);
     const Stopwatch watch;
-    Picture picture = take_picture(volume.tracer(), volume.model(), &volume, options.shadow_rays);
+    Picture picture = take_picture(volume.tracer(), volume.model(), &volume,
+                                   picture_options(options, volume.model()));
     DdgiResult result{std::move(picture.image), volume.figures(), 0., volume.model().constants(),
                       volume.notes()};
     result.figures.primary_ms = watch.ms();
@@ -98,13 +109,14 @@ DdgiResult render_with_probes(const Scene& scene, int frame, const DdgiOptions& 
 
 DdgiResult render_without_probes(const Scene& scene, int frame, const DdgiOptions& options) {
     const ModelSetup setup =
-        make_model(options.model, scene, grid_for(scene, options), options.set);
+        make_model(options.model, scene, grid_for(scene, options), options.set, options.probes);
     const Stopwatch building;
     const World world = world_at(scene, frame);
     const RayTracer tracer(world);
     const double bvh_ms = building.ms();
     const Stopwatch watch;
-    Picture picture = take_picture(tracer, *setup.model, nullptr, options.shadow_rays);
+    Picture picture =
+        take_picture(tracer, *setup.model, nullptr, picture_options(options, *setup.model));
     DdgiResult result{std::move(picture.image), {}, 0., setup.model->constants(), setup.notes};
     result.figures.bvh_ms = bvh_ms;
     result.figures.primary_ms = watch.ms();

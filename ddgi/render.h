@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ddgi/probe_options.h"
 #include "scenes/image.h"
 #include "scenes/scene.h"
 
@@ -17,10 +18,12 @@ struct DdgiOptions {
     std::string model = "conserving";
     int surfels = 64;                   ///< rays a probe
     std::map<std::string, double> set;  ///< constants of the model by their published names
+    ProbeOptions probes;                ///< for the model conserving
     bool gi = true;
-    bool cache = true;           ///< false: every surfel is placed afresh each frame
-    int shadow_rays = 1;         ///< a pixel sample and light
-    std::optional<int> updates;  ///< at the last frame; none: until converged
+    bool cache = true;                ///< false: every surfel is placed afresh each frame
+    int shadow_rays = 1;              ///< a pixel sample and light
+    std::optional<int> edge_samples;  ///< of a pixel on an edge; none: what the model asks for
+    std::optional<int> updates;       ///< at the last frame; none: until converged
     std::optional<float> spacing;
 };
 

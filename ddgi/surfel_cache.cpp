@@ -15,6 +15,9 @@
 namespace plumbline::ddgi {
 namespace {
 
+/// Well above the relative rounding of distances, well below what moves in a frame.
+constexpr float distance_rounding = 1e-5f;
+
 /// How far rays go: to the first surface, or one cell along their longest axis.
 float ray_length(Reach reach, float spacing, const glm::vec3& direction) {
     if (reach == Reach::FirstSurface) return std::numeric_limits<float>::infinity();
@@ -29,6 +32,11 @@ bool any_meets(const Motion& motion, const Ray& ray, float length, float radius 
     });
 }
 
+bool overlap(const Bounds& a, const Bounds& b) {
+    return glm::all(glm::lessThanEqual(a.lower, b.upper)) &&
+           glm::all(glm::lessThanEqual(b.lower, a.upper));
+}
+
 /// Calls body(begin, end) on ranges of whole probes' surfels, in parallel.
 template <typename Body>
 void for_probes(const Surfels& surfels, const Body& body) {
@@ -41,9 +49,16 @@ void for_probes(const Surfels& surfels, const Body& body) {
 
 }  // namespace
 
-SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach)
+SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
+                         ProbeWeights weights)
     : grid_(grid), pattern_(std::move(pattern)), reach_(reach) {
     surfels_.resize(probe_count(grid), pattern_.size());
+    if (weights == ProbeWeights::Visibility) surfels_.seen.resize(surfels_.size());
+    tbb::parallel_for(std::uint32_t{0}, probe_count(grid), [&](std::uint32_t probe) {
+        const auto directions = probe_directions(pattern_, probe_cell(grid_, probe));
+        std::ranges::copy(directions,
+                          surfels_.direction.begin() + std::ptrdiff_t(probe) * surfels_.per_probe);
+    });
     to_place_.resize(surfels_.size());
     to_light_.resize(surfels_.size());
 }
@@ -52,6 +67,7 @@ void SurfelCache::rebuild(const RayTracer& tracer) {
     figures_ = {};
     std::ranges::fill(to_place_, std::uint8_t{1});
     place_marked(tracer);
+    see_probes(tracer, nullptr);
     std::ranges::fill(to_light_, std::uint8_t{1});
     light_marked(tracer);
 }
@@ -59,8 +75,9 @@ void SurfelCache::rebuild(const RayTracer& tracer) {
 void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
     figures_ = {};
     if (motion.none()) return;
-    mark_touched(motion);
+    mark_touched(tracer.world(), motion);
     place_marked(tracer);
+    see_probes(tracer, &motion);
     mark_shadows(tracer.world(), motion);
     light_marked(tracer);
 }
@@ -68,21 +85,35 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
 Ray SurfelCache::ray_of(std::size_t surfel) const {
     const auto per_probe = static_cast<std::size_t>(surfels_.per_probe);
     const auto probe = static_cast<std::uint32_t>(surfel / per_probe);
-    const glm::vec3& direction = pattern_.directions[surfel % per_probe];
+    const glm::vec3& direction = surfels_.direction[surfel];
     return {probe_position(grid_, probe), direction, ray_length(reach_, grid_.spacing, direction)};
 }
 
-void SurfelCache::mark_touched(const Motion& motion) {
+/// Whether tracing the surfel's ray afresh could give another end.
+bool SurfelCache::touched(const RayTracer& movers, const Motion& motion, std::size_t surfel) const {
+    const Ray ray = ray_of(surfel);
+    if (reach_ == Reach::OneCell) {
+        return std::ranges::any_of(motion.boxes, [&](const Bounds& box) {
+            return box.grown(grid_.spacing).contains(ray.origin);
+        });
+    }
+    const int object = surfels_.object[surfel];
+    if (object >= 0 && motion.moved[static_cast<std::size_t>(object)]) return true;
+    const float length = surfels_.distance[surfel];
+    if (!any_meets(motion, ray, length)) return false;
+    // What moved to right where the ray ended may be met first or second: both must be asked.
+    return movers
+        .intersect({ray.origin, ray.direction, length * (1.f + distance_rounding)}, BackFaces::Cull)
+        .has_value();
+}
+
+void SurfelCache::mark_touched(const World& world, const Motion& motion) {
     const Stopwatch watch;
+    const World movers = moved_part(world, motion);
+    const RayTracer movers_tracer(movers);
     for_probes(surfels_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t surfel = begin; surfel < end; ++surfel) {
-            const Ray ray = ray_of(surfel);
-            const bool touched = reach_ == Reach::FirstSurface
-                                     ? any_meets(motion, ray, surfels_.distance[surfel])
-                                     : std::ranges::any_of(motion.boxes, [&](const Bounds& box) {
-                                           return box.grown(grid_.spacing).contains(ray.origin);
-                                       });
-            to_place_[surfel] = touched ? 1 : 0;
+            to_place_[surfel] = touched(movers_tracer, motion, surfel) ? 1 : 0;
         }
     });
     figures_.place_ms += watch.ms();
@@ -112,14 +143,35 @@ void SurfelCache::place(const RayTracer& tracer, std::size_t surfel) {
     const std::optional<Hit> hit = tracer.intersect(ray_of(surfel), BackFaces::Cull);
     if (!hit) {
         surfels_.distance[surfel] = std::numeric_limits<float>::infinity();
+        surfels_.object[surfel] = -1;
         return;
     }
     surfels_.distance[surfel] = hit->t;
     surfels_.position[surfel] = offset_origin(*hit, hit->n());
     surfels_.n[surfel] = hit->n();
+    surfels_.object[surfel] = hit->object;
     surfels_.albedo[surfel] = hit->albedo;
     surfels_.emission[surfel] =
         tracer.world().materials[static_cast<std::size_t>(hit->material)].emission;
+}
+
+/// Asks for all, or only where something moved between a surfel and the probes around it.
+void SurfelCache::see_probes(const RayTracer& tracer, const Motion* motion) {
+    if (surfels_.seen.empty()) return;
+    const Stopwatch watch;
+    const auto moved_near = [&](std::size_t surfel) {
+        const Bounds bounds = bounds_to_probes(grid_, surfels_.position[surfel]);
+        return std::ranges::any_of(motion->boxes,
+                                   [&](const Bounds& box) { return overlap(box, bounds); });
+    };
+    for_probes(surfels_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!surfels_.hit(i)) continue;
+            if (motion != nullptr && to_place_[i] == 0 && !moved_near(i)) continue;
+            surfels_.seen[i] = seen_probes(tracer, grid_, surfels_.position[i], surfels_.n[i]);
+        }
+    });
+    figures_.place_ms += watch.ms();
 }
 
 void SurfelCache::mark_shadows(const World& world, const Motion& motion) {

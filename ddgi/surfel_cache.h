@@ -7,6 +7,7 @@
 #include "ddgi/grid.h"
 #include "ddgi/motion.h"
 #include "ddgi/patterns.h"
+#include "ddgi/seen_probes.h"
 #include "ddgi/surfels.h"
 #include "scenes/ray_tracer.h"
 
@@ -17,8 +18,8 @@ enum class Reach {
     /// One cell along each axis. A probe re-places all its surfels if it lies within a cell of a
     /// moved object's box [Dellson 2023, section 3.6].
     OneCell,
-    /// To the first surface. A surfel is re-placed if its ray, up to where it ended, meets a moved
-    /// object's box, and no other is.
+    /// To the first surface. A surfel is re-placed if it is on a moved object, or if its ray meets
+    /// one before where it ended, and no other is.
     FirstSurface,
 };
 
@@ -27,7 +28,9 @@ enum class Reach {
 /// After every call the surfels are the ones that tracing all of them afresh would give.
 class SurfelCache {
  public:
-    SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach);
+    /// With ProbeWeights::Visibility surfels know which probes around them they see.
+    SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
+                ProbeWeights weights = ProbeWeights::None);
 
     /// Places and lights every surfel.
     void rebuild(const RayTracer& tracer);
@@ -53,10 +56,12 @@ class SurfelCache {
     const Figures& figures() const { return figures_; }
 
  private:
-    void mark_touched(const Motion& motion);
+    void mark_touched(const World& world, const Motion& motion);
+    bool touched(const RayTracer& movers, const Motion& motion, std::size_t surfel) const;
     void place_marked(const RayTracer& tracer);
     void mark_shadows(const World& world, const Motion& motion);
     void light_marked(const RayTracer& tracer);
+    void see_probes(const RayTracer& tracer, const Motion* motion);
     void place(const RayTracer& tracer, std::size_t surfel);
     Ray ray_of(std::size_t surfel) const;
 

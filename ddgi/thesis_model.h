@@ -24,7 +24,8 @@ class ThesisModel final : public ProbeModel {
 
     RayPattern pattern(int surfels) const override { return thesis_pattern(surfels); }
     Reach reach() const override { return Reach::OneCell; }
-    std::size_t bins() const override { return octant_count; }
+    bool samples_edges() const override { return false; }
+    std::size_t bins(int) const override { return octant_count; }
     void take_surfels(const SurfelCache& cache, const Spectrum& environment) override;
     void update(std::span<const float> previous, std::span<float> next) const override;
     Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;

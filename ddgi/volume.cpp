@@ -23,9 +23,11 @@ ProbeVolume::ProbeVolume(const Scene& scene, const DdgiOptions& options)
     : scene_(scene),
       caching_(options.cache),
       grid_(grid_for(scene, options)),
-      setup_(make_model(options.model, scene, grid_, options.set)),
-      cache_(grid_, setup_.model->pattern(options.surfels), setup_.model->reach()),
-      values_(probe_count(grid_) * 3 * setup_.model->bins(), 0.f),
+      setup_(make_model(options.model, scene, grid_, options.set, options.probes)),
+      bins_(setup_.model->bins(options.surfels)),
+      cache_(grid_, setup_.model->pattern(options.surfels), setup_.model->reach(),
+             setup_.model->weights()),
+      values_(probe_count(grid_) * 3 * bins_, 0.f),
       next_(values_.size()) {}
 
 ProbeVolume::~ProbeVolume() = default;
@@ -72,7 +74,7 @@ void ProbeVolume::update() {
     }
     const Stopwatch watch;
     setup_.model->update(values_, next_);
-    const Change change = change_between(values_, next_, 3 * setup_.model->bins());
+    const Change change = change_between(values_, next_, 3 * bins_);
     values_.swap(next_);
     settled_ = change.none;
     figures_.relative_change = change.relative;

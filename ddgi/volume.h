@@ -44,6 +44,7 @@ class ProbeVolume {
     bool caching_;
     ProbeGrid grid_;
     ModelSetup setup_;
+    std::size_t bins_;  ///< values a probe and channel
     SurfelCache cache_;
     std::unique_ptr<Stage> stage_;  ///< the world of the last move_to()
     std::vector<float> values_;     ///< what the probes hold, see value_index()

@@ -25,11 +25,12 @@ std::vector<float> copy(std::span<const float> values) { return {values.begin(),
 
 TEST_CASE("furnace: a closed room that emits shows Le / (1 - rho) at every pixel",
           "[ddgi][analytic]") {
-    const auto model = GENERATE(as<std::string>(), "conserving");
+    const auto probes = GENERATE(from_range(all_probe_options()));
     const Spectrum rho(.5f, .8f, 0.f);
     const Spectrum Le(1.f, .25f, 2.f);
     DdgiOptions options;
-    options.model = model;
+    options.model = "conserving";
+    options.probes = probes;
     const DdgiResult result = render(closed_room(rho, Le), 0, options);
     CHECK(result.figures.converged);
     CHECK(result.figures.surfels_hit == result.figures.surfels);
@@ -96,7 +97,7 @@ TEST_CASE("integrating sphere: indirect light is uniform, rho / (1 - rho) of the
             REQUIRE(value == Approx(expected).epsilon(1e-3));
         }
     }
-    SECTION("light off the centre: within the octants' error") {
+    SECTION("light off the centre: within the model's error") {
         const DdgiResult result = render(integrating_sphere(rho, {.4f, .7f, -.2f}), 0, options);
         CHECK(mean(result.image, "indirect") == Approx(expected).epsilon(.02));
     }
@@ -107,9 +108,10 @@ TEST_CASE("conserving updates contract: the error after m of them is at most alb
     const Scene scene = room_with_moving_block();
     DdgiOptions options;
     options.model = "conserving";
+    options.probes = GENERATE(from_range(all_probe_options()));
     ProbeVolume settled(scene, options);
     settled.move_to(0);
-    for (int i = 0; i < 400; ++i) settled.update();
+    for (int i = 0; i < 150; ++i) settled.update();
     const std::vector<float> limit = copy(settled.values());
     const double light = largest_difference(limit, std::vector<float>(limit.size()));
     REQUIRE(light > 0.);

@@ -67,6 +67,40 @@ TEST_CASE("the cache changes no byte of any frame, and saves work", "[ddgi]") {
     CHECK(same_bytes(render(scene, 5, options_for(model)).image, render(scene, 5, uncached).image));
 }
 
+TEST_CASE("with every storage and weights the cache changes no byte of any frame", "[ddgi]") {
+    const Scene scene = room_with_moving_block();
+    DdgiOptions cached = options_for("conserving");
+    cached.probes = GENERATE(from_range(all_probe_options()));
+    DdgiOptions uncached = cached;
+    uncached.cache = false;
+    ProbeVolume with(scene, cached);
+    ProbeVolume without(scene, uncached);
+    for (int frame = 0; frame < scene.frames; ++frame) {
+        with.move_to(frame);
+        without.move_to(frame);
+        with.update();
+        without.update();
+        REQUIRE(std::ranges::equal(with.values(), without.values()));
+    }
+}
+
+TEST_CASE("pixels on edges are sampled finely if asked for and no others are", "[ddgi]") {
+    const Scene scene = room_with_moving_block();
+    DdgiOptions options = options_for("conserving");
+    options.gi = false;
+    const DdgiResult fine = render(scene, 0, options);
+    options.edge_samples = 4;
+    const DdgiResult coarse = render(scene, 0, options);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < fine.image.pixels(); ++i) {
+        if (fine.image.channel("R")[i] != coarse.image.channel("R")[i]) ++changed;
+    }
+    CHECK(changed > 0);
+    CHECK(changed < fine.image.pixels() / 2);
+    options.edge_samples = 5;
+    CHECK_THROWS_AS(render(scene, 0, options), UsageError);
+}
+
 TEST_CASE("a still is converged, and --updates says how many instead", "[ddgi]") {
     const Scene scene = room_with_moving_block();
     DdgiOptions options = options_for("conserving");

@@ -102,6 +102,19 @@ Scene room_with_moving_block() {
     return scene;
 }
 
+std::vector<ProbeOptions> all_probe_options() {
+    std::vector<ProbeOptions> all;
+    for (const auto& [storage_name, storage] : storage_names) {
+        for (const auto& [weights_name, weights] : weights_names) {
+            all.push_back({storage, weights});
+        }
+    }
+    all.push_back({.shifted = false});
+    all.push_back({.parallax = false});
+    all.push_back({.feedback = Feedback::Rays});
+    return all;
+}
+
 double mean(const Image& image, const std::string& layer) {
     double sum = 0.;
     for (const std::span<const float> channel : image.layer(layer)) {

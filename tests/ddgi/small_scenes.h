@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ddgi/probe_options.h"
 #include "scenes/image.h"
 #include "scenes/scene.h"
 
@@ -16,6 +17,9 @@ Scene integrating_sphere(float albedo, const glm::vec3& light);
 /// The closed room with walls of unlike colours, a point light, and a block that turns and drifts
 /// in frames 2 to 6 of 10. The thesis's constants are set.
 Scene room_with_moving_block();
+
+/// Each storage with each kind of weights, and the default's choices left out one by one.
+std::vector<ProbeOptions> all_probe_options();
 
 /// The mean of a layer over all pixels and channels.
 double mean(const Image& image, const std::string& layer);

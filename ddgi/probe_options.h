@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "ddgi/seen_probes.h"
+
+namespace plumbline::ddgi {
+
+/// What a probe of the model conserving keeps of the light that its rays bring.
+enum class Storage {
+    Rays,     ///< every ray's radiance
+    Octants,  ///< the mean radiance of each octant
+};
+
+/// What surfels gather the probes' light from. Storage::Rays only.
+enum class Feedback {
+    Maps,  ///< irradiances that each probe makes of its rays once an update
+    Rays,  ///< all rays, as pixels do: nearer the truth, and many times the work
+};
+
+/// What users call them.
+inline const std::map<std::string, Feedback> feedback_names = {{"maps", Feedback::Maps},
+                                                               {"rays", Feedback::Rays}};
+inline const std::map<std::string, Storage> storage_names = {{"rays", Storage::Rays},
+                                                             {"octants", Storage::Octants}};
+inline const std::map<std::string, ProbeWeights> weights_names = {
+    {"none", ProbeWeights::None},
+    {"backface", ProbeWeights::Backface},
+    {"visibility", ProbeWeights::Visibility}};
+
+/// The choices of the model conserving; the defaults are the best measured. The other models have
+/// no such choices.
+struct ProbeOptions {
+    Storage storage = Storage::Rays;
+    ProbeWeights weights = ProbeWeights::Visibility;
+    /// Each probe has its own shift of the ray pattern. Storage::Octants has none: its rays keep to
+    /// their octants.
+    bool shifted = true;
+    /// Pixels see a ray's end from where they are, not from where the probe is. Storage::Rays only.
+    bool parallax = true;
+    Feedback feedback = Feedback::Maps;
+    bool operator==(const ProbeOptions&) const = default;
+};
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/rays_model.h"
+
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <glm/gtc/constants.hpp>
+
+#include "ddgi/look_up.h"
+
+namespace plumbline::ddgi {
+namespace {
+
+void put(std::span<float> values, std::size_t surfel, std::size_t rays, const Spectrum& radiance) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        values[value_index(surfel / rays, c, surfel % rays, rays)] = radiance[static_cast<int>(c)];
+    }
+}
+
+/// pi times the mean of the rays' radiance; 0 if no ray counts.
+Spectrum irradiance(const RaySums& sums) {
+    if (sums.weight == 0.f) return Spectrum(0.f);
+    return sums.radiance * (glm::pi<float>() / sums.weight);
+}
+
+}  // namespace
+
+void RaysModel::take_surfels(const SurfelCache& cache, const Spectrum& environment) {
+    cache_ = &cache;
+    const Surfels& surfels = cache.surfels();
+    if (!ends_) ends_.emplace(probe_count(grid_), rays(), grid_.spacing);
+    unfed_.resize(surfels.size());
+    emitted_.assign(surfels.size() * 3, 0.f);
+    std::atomic<bool> any_emits = false;
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
+        bool moved = false;
+        for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i) {
+            moved = moved || cache.replaced(i);
+            const Spectrum emitted = surfels.hit(i) ? surfels.emission[i] : environment;
+            put(emitted_, i, rays(), emitted);
+            if (emitted != Spectrum(0.f)) any_emits = true;
+            unfed_[i] = emitted;
+            if (!surfels.hit(i)) continue;
+            unfed_[i] += surfels.albedo[i] / glm::pi<float>() * surfels.direct[i];
+        }
+        if (!moved) return;
+        const glm::vec3 position = probe_position(grid_, static_cast<std::uint32_t>(probe));
+        ends_->set(probe, position, surfels);
+    });
+    if (!any_emits) emitted_.clear();
+}
+
+RaysModel::Maps RaysModel::irradiance_maps(std::span<const float> values) const {
+    Maps maps(std::size_t{probe_count(grid_)} * map_nodes);
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
+        const float* radiance = &values[probe * 3 * rays()];
+        for (std::size_t node = 0; node < map_nodes; ++node) {
+            const RaySums sums = ends_->along_rays(probe, map_directions()[node], radiance);
+            maps[probe * map_nodes + node] = glm::vec4(irradiance(sums), 0.f);
+        }
+    });
+    return maps;
+}
+
+Spectrum RaysModel::map_irradiance(const Maps& maps, const ProbeNeighbours& around,
+                                   const glm::vec3& n) const {
+    const MapPoint at = map_point(n);
+    glm::vec4 E(0.f);
+    for (std::size_t k = 0; k < around.probe.size(); ++k) {
+        if (around.weight[k] == 0.f) continue;
+        const glm::vec4* map = &maps[around.probe[k] * map_nodes];
+        for (std::size_t i = 0; i < at.node.size(); ++i) {
+            E += around.weight[k] * at.weight[i] * map[at.node[i]];
+        }
+    }
+    return Spectrum(E);
+}
+
+Spectrum RaysModel::ray_irradiance(std::span<const float> values, const ProbeNeighbours& around,
+                                   const glm::vec3& x, const glm::vec3& n) const {
+    const auto gathered = [&](const auto& sums_of) {
+        RaySums all;
+        for (std::size_t k = 0; k < around.probe.size(); ++k) {
+            if (around.weight[k] == 0.f) continue;
+            const std::size_t probe = around.probe[k];
+            const RaySums sums = sums_of(probe, &values[probe * 3 * rays()]);
+            all.radiance += around.weight[k] * sums.radiance;
+            all.weight += around.weight[k] * sums.weight;
+        }
+        return all;
+    };
+    if (options_.parallax) {
+        const RaySums all = gathered([&](std::size_t probe, const float* radiance) {
+            return ends_->from_point(probe, x, n, radiance);
+        });
+        // Else no ray ends in front of the surface, and only directions tell where light is from.
+        if (all.weight > 0.f) return irradiance(all);
+    }
+    return irradiance(gathered([&](std::size_t probe, const float* radiance) {
+        return ends_->along_rays(probe, n, radiance);
+    }));
+}
+
+Spectrum RaysModel::feedback(const Maps& maps, std::span<const float> previous,
+                             std::size_t surfel) const {
+    const Surfels& surfels = cache_->surfels();
+    const glm::vec3& x = surfels.position[surfel];
+    const glm::vec3& n = surfels.n[surfel];
+    const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[surfel];
+    const ProbeNeighbours around = weighted_probes(grid_, x, n, options_.weights, seen);
+    return maps.empty() ? ray_irradiance(previous, around, x, n) : map_irradiance(maps, around, n);
+}
+
+void RaysModel::update(std::span<const float> previous, std::span<float> next) const {
+    const Surfels& surfels = cache_->surfels();
+    const Maps maps = options_.feedback == Feedback::Maps ? irradiance_maps(previous) : Maps();
+    tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
+        Spectrum radiance = unfed_[i];
+        if (surfels.hit(i) && surfels.albedo[i] != Spectrum(0.f)) {
+            radiance += surfels.albedo[i] / glm::pi<float>() * feedback(maps, previous, i);
+        }
+        put(next, i, rays(), radiance);
+    });
+}
+
+Spectrum RaysModel::probe_light(std::span<const float> values, const ReceiverPoint& point) const {
+    const ProbeNeighbours around =
+        weighted_probes(grid_, point.position, point.n, options_.weights, point.seen);
+    return point.albedo / glm::pi<float>() *
+           ray_irradiance(values, around, point.position, point.n);
+}
+
+Spectrum RaysModel::emitted_light(const ReceiverPoint& point) const {
+    return emitted_.empty() ? Spectrum(0.f) : probe_light(emitted_, point);
+}
+
+}  // namespace plumbline::ddgi

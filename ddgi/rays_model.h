@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ddgi/irradiance_map.h"
+#include "ddgi/model.h"
+#include "ddgi/ray_gather.h"
+
+namespace plumbline::ddgi {
+
+/// Energy-conserving probes that keep the radiance of every ray.
+///
+/// A pixel gathers from all rays of the probes around it, E = pi sum w t L / sum w t with w the
+/// probe's weight and t >= 0 that of the ray (see RayEnds). Surfels, of which there are many more,
+/// gather from a map of irradiances that each probe makes of its rays once an update, unless
+/// ProbeOptions::feedback asks for the rays.
+/// Both are convex means times pi. A surfel shows a/pi (E_direct + E_probes) + emission, and a ray
+/// that meets nothing brings the environment's radiance. So each update is a contraction in the
+/// largest value, by the largest albedo of the scene. There is no constant to tune.
+class RaysModel final : public ProbeModel {
+ public:
+    RaysModel(const ProbeGrid& grid, const ProbeOptions& options)
+        : grid_(grid), options_(options) {}
+
+    RayPattern pattern(int surfels) const override {
+        return sphere_pattern(surfels, options_.shifted);
+    }
+    Reach reach() const override { return Reach::FirstSurface; }
+    ProbeWeights weights() const override { return options_.weights; }
+    std::size_t bins(int surfels) const override { return static_cast<std::size_t>(surfels); }
+    void take_surfels(const SurfelCache& cache, const Spectrum& environment) override;
+    void update(std::span<const float> previous, std::span<float> next) const override;
+    Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
+    Spectrum emitted_light(const ReceiverPoint& point) const override;
+
+ private:
+    /// Irradiances at the nodes of the maps of all probes: (probe * map_nodes + node).
+    using Maps = std::vector<glm::vec4>;
+
+    std::size_t rays() const { return static_cast<std::size_t>(cache_->surfels().per_probe); }
+    Maps irradiance_maps(std::span<const float> values) const;
+    Spectrum map_irradiance(const Maps& maps, const ProbeNeighbours& around,
+                            const glm::vec3& n) const;
+    Spectrum ray_irradiance(std::span<const float> values, const ProbeNeighbours& around,
+                            const glm::vec3& x, const glm::vec3& n) const;
+    /// E_probes at a surfel, from `maps` unless it is empty.
+    Spectrum feedback(const Maps& maps, std::span<const float> previous, std::size_t surfel) const;
+
+    ProbeGrid grid_;
+    ProbeOptions options_;
+    const SurfelCache* cache_ = nullptr;
+    std::optional<RayEnds> ends_;
+    std::vector<Spectrum> unfed_;  ///< radiance each surfel ray brings without any feedback
+    std::vector<float> emitted_;   ///< probe values of emission and environment; empty if none
+};
+
+}  // namespace plumbline::ddgi

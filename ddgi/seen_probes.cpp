@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/seen_probes.h"
+
+#include <cmath>
+
+namespace plumbline::ddgi {
+namespace {
+
+/// What a probe straight behind the surface still counts: keeps the weights from all vanishing
+/// [Majercik et al. 2019, section 5.2, listing 2: 0.2; less here, since nothing is denoised].
+constexpr float least_backface_weight = .05f;
+
+/// Cosine between the surface's normal and the way to the probe; 1 where the point is the probe.
+float cosine_to(const glm::vec3& way, const glm::vec3& n) {
+    const float distance = glm::length(way);
+    return distance > 0.f ? glm::dot(way, n) / distance : 1.f;
+}
+
+float backface_weight(float cosine) {
+    const float wrapped = (cosine + 1.f) / 2.f;
+    return wrapped * wrapped + least_backface_weight;
+}
+
+}  // namespace
+
+std::uint8_t seen_probes(const RayTracer& tracer, const ProbeGrid& grid, const glm::vec3& x,
+                         const glm::vec3& n) {
+    const ProbeNeighbours around = probe_neighbours(grid, x);
+    unsigned seen = 0;
+    for (unsigned k = 0; k < around.probe.size(); ++k) {
+        if (around.weight[k] == 0.f) continue;
+        const glm::vec3 probe = probe_position(grid, around.probe[k]);
+        if (glm::dot(probe - x, n) > 0.f && !tracer.occluded(x, probe)) seen |= 1u << k;
+    }
+    return static_cast<std::uint8_t>(seen);
+}
+
+Bounds bounds_to_probes(const ProbeGrid& grid, const glm::vec3& x) {
+    Bounds bounds{x, x};
+    for (const std::uint32_t probe : probe_neighbours(grid, x).probe) {
+        bounds.extend(probe_position(grid, probe));
+    }
+    return bounds;
+}
+
+ProbeNeighbours weighted_probes(const ProbeGrid& grid, const glm::vec3& x, const glm::vec3& n,
+                                ProbeWeights weights, std::uint8_t seen) {
+    const ProbeNeighbours trilinear = probe_neighbours(grid, x);
+    if (weights == ProbeWeights::None) return trilinear;
+    ProbeNeighbours around = trilinear;
+    float sum = 0.f;
+    for (std::size_t k = 0; k < around.probe.size(); ++k) {
+        if (weights == ProbeWeights::Visibility) {
+            if ((seen >> k & 1) == 0) around.weight[k] = 0.f;
+        } else {
+            const glm::vec3 way = probe_position(grid, around.probe[k]) - x;
+            around.weight[k] *= backface_weight(cosine_to(way, n));
+        }
+        sum += around.weight[k];
+    }
+    if (sum == 0.f) return trilinear;
+    for (float& weight : around.weight) weight /= sum;
+    return around;
+}
+
+}  // namespace plumbline::ddgi
