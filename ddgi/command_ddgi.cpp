@@ -65,6 +65,9 @@ nlohmann::ordered_json json_of(const DdgiResult& result, const DdgiOptions& opti
     json["updates"] = figures.updates;
     json["relative_change"] = figures.relative_change;
     json["converged"] = figures.converged;
+    if (result.spectral_radius) json["spectral_radius"] = *result.spectral_radius;
+    if (result.critical_multi_bounce)
+        json["critical_multiBounceIntensity"] = *result.critical_multi_bounce;
     json["non_finite"] = figures.non_finite;
     json["seconds"] = result.seconds;
     json["constants"] = result.constants;
@@ -79,6 +82,8 @@ void run(Arguments& arguments) {
     arguments.ddgi.cache = !arguments.no_cache;
     arguments.ddgi.probes.shifted = !arguments.no_shift;
     arguments.ddgi.probes.parallax = !arguments.no_parallax;
+    arguments.ddgi.spectral_radius =
+        arguments.json || arguments.ddgi.set.contains("multiBounceIntensity");
     const auto limits = arguments.common.apply();
     const Scene scene = load_scene_for(arguments.scene, arguments.common);
     const DdgiResult result = render(scene, frame_of(scene, arguments.common), arguments.ddgi);

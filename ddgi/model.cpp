@@ -8,6 +8,7 @@
 
 #include "ddgi/conserving_model.h"
 #include "ddgi/rays_model.h"
+#include "ddgi/steps_model.h"
 #include "ddgi/thesis_model.h"
 #include "scenes/errors.h"
 #include "scenes/nearest_name.h"
@@ -58,11 +59,13 @@ std::vector<std::string> model_names() { return {"conserving", "thesis"}; }
 ModelSetup make_model(const std::string& name, const Scene& scene, const ProbeGrid& grid,
                       const std::map<std::string, double>& set, const ProbeOptions& options) {
     if (name == "thesis") return make_thesis(scene, grid, set);
+    if (name == "steps") return make_steps(scene, grid, set);
     if (name == "conserving") {
         refuse_constants(name, set);
         return {make_conserving(grid, options), {}};
     }
-    const std::vector<std::string> names = model_names();
+    std::vector<std::string> names = model_names();
+    names.emplace_back("steps");
     throw UsageError("--model",
                      fmt::format("there is no model '{}' among {}", name, fmt::join(names, ", ")),
                      did_you_mean(name, names));

@@ -62,7 +62,7 @@ struct ModelSetup {
     std::vector<std::string> notes;
 };
 
-/// The models by name, best first.
+/// The models by name, best first. There is one more, `steps`, for studies: see Steps.
 std::vector<std::string> model_names();
 
 /// Makes a model for a scene whose probes stand on `grid`, which may differ from the scene's own.

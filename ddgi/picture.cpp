@@ -137,6 +137,11 @@ class Layers {
 
 }  // namespace
 
+PictureOptions picture_options(const DdgiOptions& options, const ProbeModel& model) {
+    const int on_edges = model.samples_edges() ? samples_on_edges : samples_per_pixel;
+    return {options.shadow_rays, options.edge_samples.value_or(on_edges) == samples_on_edges};
+}
+
 std::array<glm::vec2, samples_per_pixel> pixel_samples(int x, int y) {
     const glm::vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
     const glm::vec2 right(0.5f, 0.f);

@@ -25,6 +25,9 @@ struct PictureOptions {
     bool sample_edges = false;
 };
 
+/// As `options` ask, or as the model samples edges by itself.
+PictureOptions picture_options(const DdgiOptions& options, const ProbeModel& model);
+
 /// A picture and the shadow rays that it took.
 struct Picture {
     Image image;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ddgi/picture.h"
+#include "ddgi/spectral_radius.h"
 #include "ddgi/stopwatch.h"
 #include "scenes/errors.h"
 #include "scenes/progress.h"
@@ -63,11 +64,6 @@ std::uint64_t count_non_finite(const Image& image, std::vector<std::string>& not
     return count;
 }
 
-PictureOptions picture_options(const DdgiOptions& options, const ProbeModel& model) {
-    const int on_edges = model.samples_edges() ? samples_on_edges : samples_per_pixel;
-    return {options.shadow_rays, options.edge_samples.value_or(on_edges) == samples_on_edges};
-}
-
 void describe(Image& image, const Scene& scene, int frame, const DdgiOptions& options,
               const DdgiResult& result) {
     image.metadata["plumbline:version"] = PLUMBLINE_VERSION;
@@ -89,6 +85,27 @@ void describe(Image& image, const Scene& scene, int frame, const DdgiOptions& op
     if (options.spacing) image.metadata["plumbline:spacing"] = fmt::format("{}", *options.spacing);
 }
 
+/// Says how the probes feed themselves, and warns where that cannot end well.
+void measure_feedback(const Scene& scene, const ProbeVolume& volume, const DdgiOptions& options,
+                      DdgiResult& result) {
+    std::vector<float> mode;
+    const Stopwatch watch;
+    const SpectralRadius radius = spectral_radius(
+        volume.model(), probe_count(volume.cache().grid()), volume.values().size(), mode);
+    result.spectral_radius = radius.value;
+    if (radius.value >= 1.)
+        result.critical_multi_bounce = critical_multi_bounce(scene, volume, options);
+    result.radius_seconds = watch.ms() / 1e3;
+    if (radius.value < 1.) return;
+    result.notes.push_back(fmt::format(
+        "the spectral radius of the probe update is {:.4f}: at 1 or more the probes feed each "
+        "other more light than they lose, and end in light that the scene does not have; {}",
+        radius.value,
+        result.critical_multi_bounce
+            ? fmt::format("keep multiBounceIntensity below {:.4g}", *result.critical_multi_bounce)
+            : "missed rays alone bring that much: lower falloffRegulator"));
+}
+
 DdgiResult render_with_probes(const Scene& scene, int frame, const DdgiOptions& options) {
     ProbeVolume volume(scene, options);
     play(volume, frame, options);
@@ -104,6 +121,7 @@ DdgiResult render_with_probes(const Scene& scene, int frame, const DdgiOptions& 
             fmt::format("the probes did not converge: after {} updates they still change by {:.2g}",
                         result.figures.updates, result.figures.relative_change));
     }
+    if (options.spectral_radius) measure_feedback(scene, volume, options, result);
     return result;
 }
 
@@ -131,7 +149,7 @@ DdgiResult render(const Scene& scene, int frame, const DdgiOptions& options) {
     const Stopwatch watch;
     DdgiResult result = options.gi ? render_with_probes(scene, frame, options)
                                    : render_without_probes(scene, frame, options);
-    result.seconds = watch.ms() / 1e3;
+    result.seconds = watch.ms() / 1e3 - result.radius_seconds;
     result.figures.non_finite = count_non_finite(result.image, result.notes);
     describe(result.image, scene, frame, options, result);
     return result;

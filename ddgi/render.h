@@ -25,6 +25,7 @@ struct DdgiOptions {
     std::optional<int> edge_samples;  ///< of a pixel on an edge; none: what the model asks for
     std::optional<int> updates;       ///< at the last frame; none: until converged
     std::optional<float> spacing;
+    bool spectral_radius = false;  ///< measure it: see DdgiResult
 };
 
 /// What one frame took, and what it counted.
@@ -57,6 +58,12 @@ struct DdgiResult {
     double seconds;                           ///< for everything, from the first frame on
     std::map<std::string, double> constants;  ///< of the model, as used, by their published names
     std::vector<std::string> notes;           ///< what a user should know, one line each
+    /// Of the probe update at this frame, if asked for: at 1 or more the probes feed each other
+    /// more light than they lose (see spectral_radius.h).
+    std::optional<double> spectral_radius = std::nullopt;
+    /// The multiBounceIntensity at which the radius is 1, where the one asked for is at or above.
+    std::optional<double> critical_multi_bounce = std::nullopt;
+    double radius_seconds = 0;  ///< that these two took; not part of `seconds`
 };
 
 /// Plays the scene to `frame` and renders it there: see DdgiOptions::updates.

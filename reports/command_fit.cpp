@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "ddgi/render.h"
 #include "pathtracer/render.h"
 #include "reports/commands.h"
+#include "reports/picture_size.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
 #include "scenes/progress.h"
@@ -48,12 +48,7 @@ struct Subject {
 };
 
 Image rendered_truth(Scene& scene, int frame, const FitOptions& options) {
-    if (!options.common.width) {
-        const double shrink =
-            std::sqrt(default_pixels / (double(scene.camera.width) * scene.camera.height));
-        scene.camera.width = std::max(1, int(std::lround(scene.camera.width * shrink)));
-        scene.camera.height = std::max(1, int(std::lround(scene.camera.height * shrink)));
-    }
+    reports::set_default_size(scene.camera, options.common, default_pixels);
     pathtracer::RenderOptions render;
     render.spp = options.spp;
     return pathtracer::render(scene, frame, render).image;

@@ -2,19 +2,19 @@
 #include <fmt/chrono.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <memory>
 
 #include "reports/commands.h"
+#include "reports/output_folder.h"
 #include "reports/page.h"
+#include "reports/picture_size.h"
 #include "reports/report.h"
 #include "reports/results_json.h"
 #include "reports/stages.h"
 #include "reports/words.h"
 #include "scenes/command_line.h"
-#include "scenes/errors.h"
 #include "scenes/whole_file.h"
 
 namespace plumbline {
@@ -40,22 +40,9 @@ struct Subject {
 
 Subject subject_of(const std::string& argument, const CommonOptions& options) {
     Scene scene = load_scene_for(argument, options);
-    if (!options.width) {
-        const double aspect = double(scene.camera.width) / double(scene.camera.height);
-        scene.camera.width =
-            std::max(1, static_cast<int>(std::lround(std::sqrt(default_pixels * aspect))));
-        scene.camera.height =
-            std::max(1, static_cast<int>(std::lround(std::sqrt(default_pixels / aspect))));
-    }
+    reports::set_default_size(scene.camera, options, default_pixels);
     const int frame = options.frame ? frame_of(scene, options) : scene.report_frame;
     return {argument, std::move(scene), frame};
-}
-
-/// Told before minutes of work, not after.
-void check_folder(const std::filesystem::path& folder) {
-    if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
-        throw UsageError("-o", fmt::format("'{}' is a file", folder.string()),
-                         "give a folder, which need not exist yet");
 }
 
 std::string command_of(const Options& options) {
@@ -71,7 +58,7 @@ std::string command_of(const Options& options) {
 
 void run(const Options& options) {
     const std::shared_ptr<void> threads = options.common.apply();
-    check_folder(options.folder);
+    reports::check_folder(options.folder);
     const reports::Quality quality = reports::quality_of(options.quick);
     std::vector<Subject> subjects;
     double work = 0;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ddgi/render.h"
+
+namespace plumbline::reports {
+
+/// A way to run the probes that the ablation measures.
+struct AblationCase {
+    std::string group;    ///< cases of one group are compared with each other
+    std::string name;     ///< unique: letters, digits and dashes
+    std::string title;    ///< for readers
+    std::string options;  ///< of `plumbline ddgi`, to run the same
+    ddgi::DdgiOptions ddgi;
+};
+
+/// Every case, in the order of the table: the road from the thesis to conserving, each of its steps
+/// alone, and each choice of the default model changed alone.
+std::vector<AblationCase> ablation_cases();
+
+}  // namespace plumbline::reports

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+"use strict";
+
+/** Dashed vertical lines at the chart's marks: where an animation begins and ends. */
+const marksPlugin = {
+  id: "marks",
+  afterDatasetsDraw(chart) {
+    const { ctx, chartArea, scales } = chart;
+    ctx.save();
+    ctx.strokeStyle = themeColor("quiet");
+    ctx.setLineDash([6, 4]);
+    for (const mark of chart.options.plugins.marks.at ?? []) {
+      const x = scales.x.getPixelForValue(mark);
+      ctx.beginPath();
+      ctx.moveTo(x, chartArea.top);
+      ctx.lineTo(x, chartArea.bottom);
+      ctx.stroke();
+    }
+    ctx.restore();
+  },
+};
+
+function axis(title, logarithmic) {
+  const color = themeColor("ink");
+  return {
+    type: logarithmic ? "logarithmic" : "linear",
+    beginAtZero: !logarithmic,
+    title: { display: title !== "", text: title, color },
+    ticks: { color, maxTicksLimit: 9, callback: (value) => String(+Number(value).toPrecision(3)) },
+    grid: { color: themeColor("line") },
+  };
+}
+
+function lineSet({ label, color, x, y, dashed, dots }) {
+  return {
+    label, showLine: true, borderColor: themeColor(color), backgroundColor: themeColor(color),
+    borderWidth: 1.5, borderDash: dashed ? [5, 4] : [], pointRadius: dots ? 4 : 0, pointHitRadius: 6,
+    data: x.map((value, i) => ({ x: value, y: y[i] })).filter(({ x, y }) => x !== null && y !== null),
+  };
+}
+
+function studyChart(canvas, chart) {
+  const bars = chart.labels.length > 0;
+  const color = themeColor("ink");
+  const x = bars ? { ticks: { color }, grid: { display: false } } : axis(chart.x_title, chart.log_x);
+  return new Chart(canvas, {
+    type: bars ? "bar" : "scatter",
+    data: bars
+      ? { labels: chart.labels, datasets: chart.series.map(({ label, color, y }) => ({ label, data: y, backgroundColor: themeColor(color) })) }
+      : { datasets: chart.series.map(lineSet) },
+    plugins: [marksPlugin],
+    options: {
+      animation: false, maintainAspectRatio: false,
+      scales: { x, y: axis(chart.y_title, chart.log_y) },
+      plugins: { legend: { labels: { color, boxHeight: 2 } }, marks: { at: chart.marks } },
+    },
+  });
+}
+
+for (const canvas of document.querySelectorAll("canvas[data-chart]")) {
+  const drawn = report.charts[Number(canvas.dataset.chart)];
+  let chart = studyChart(canvas, drawn);
+  onThemeChange.push(() => {
+    chart.destroy();
+    chart = studyChart(canvas, drawn);
+  });
+}
