@@ -11,8 +11,9 @@
 
 namespace plumbline {
 
-/// Up to `N` rays that Embree traces together: N = 1, 4, 8 or 16. No ray's answer depends on the
-/// others.
+/// Up to `N` rays that Embree traces together: N = 1, 4, 8 or 16. A ray's answer depends on the
+/// others only where two surfaces lie at the same distance to rounding: which of them it meets.
+/// Hence callers make packets from the same rays at any thread count and in any shard.
 template <std::size_t N>
 class Packet {
  public:

@@ -186,11 +186,12 @@ TEST_CASE("a render killed at random moments and resumed gives the same bits",
 TEST_CASE("an interrupt keeps all that is done and ends with 130", "[pathtracer][commands]") {
     const TemporaryFolder folder;
     const auto output = folder / "o.exr";
-    const std::vector<std::string> command{"cornell-box", "--size", "64x36",        "--time",
-                                           "1.5",         "-o",     output.string()};
+    const std::vector<std::string> command{"cornell-box", "--size", "64x36",
+                                           "--spp",       "2048",   "--checkpoint-every",
+                                           "0.05",        "-o",     output.string()};
     const pid_t pid = start_render(command);
     // Until it traces; before that an interrupt just ends it.
-    sleep_ms(700);
+    while (!exists(folder / "o.exr.checkpoint")) sleep_ms(5);
     ::kill(pid, SIGINT);
     CHECK(ended(pid) == 130);
     CHECK_FALSE(exists(output));
