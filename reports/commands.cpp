@@ -6,6 +6,7 @@ namespace plumbline {
 void add_ablation_command(CLI::App& app);
 void add_cost_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
+void add_frontier_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_sequence_command(CLI::App& app);
 
@@ -13,6 +14,7 @@ void add_reports_commands(CLI::App& app) {
     add_ablation_command(app);
     add_cost_command(app);
     add_fit_command(app);
+    add_frontier_command(app);
     add_report_command(app);
     add_sequence_command(app);
 }

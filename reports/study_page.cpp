@@ -35,7 +35,9 @@ json chart_json(const StudyChart& chart) {
                           {"x", numbers(one.x)},
                           {"y", numbers(one.y)},
                           {"dashed", one.dashed},
-                          {"dots", one.dots}});
+                          {"dots", one.dots},
+                          {"line", one.line},
+                          {"names", one.names}});
     return {{"x_title", chart.x_title}, {"y_title", chart.y_title}, {"series", series},
             {"labels", chart.labels},   {"marks", chart.marks},     {"log_x", chart.log_x},
             {"log_y", chart.log_y}};

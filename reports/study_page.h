@@ -13,7 +13,9 @@ struct StudySeries {
     std::vector<double> x;  ///< as long as y; empty for bars
     std::vector<double> y;
     bool dashed = false;
-    bool dots = false;  ///< shows each point
+    bool dots = false;                 ///< shows each point
+    bool line = true;                  ///< joins the points
+    std::vector<std::string> names{};  ///< of the points, for the pointer; as long as y, or empty
 };
 
 /// A chart with numbers along both axes, or, with `labels`, one group of bars a label.

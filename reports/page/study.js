@@ -26,17 +26,22 @@ function axis(title, logarithmic) {
     type: logarithmic ? "logarithmic" : "linear",
     beginAtZero: !logarithmic,
     title: { display: title !== "", text: title, color },
-    ticks: { color, maxTicksLimit: 9, callback: (value) => String(+Number(value).toPrecision(3)) },
+    ticks: { color, maxTicksLimit: 9, callback: (value) => (!logarithmic || /^[125]e/.test((+value).toExponential()) ? String(+Number(value).toPrecision(3)) : null) },
     grid: { color: themeColor("line") },
   };
 }
 
-function lineSet({ label, color, x, y, dashed, dots }) {
+function lineSet({ label, color, x, y, dashed, dots, line, names }) {
   return {
-    label, showLine: true, borderColor: themeColor(color), backgroundColor: themeColor(color),
+    label, showLine: line, borderColor: themeColor(color), backgroundColor: themeColor(color),
     borderWidth: 1.5, borderDash: dashed ? [5, 4] : [], pointRadius: dots ? 4 : 0, pointHitRadius: 6,
-    data: x.map((value, i) => ({ x: value, y: y[i] })).filter(({ x, y }) => x !== null && y !== null),
+    data: x.map((value, i) => ({ x: value, y: y[i], name: names[i] })).filter(({ x, y }) => x !== null && y !== null),
   };
+}
+
+/** What the pointer reads off a point. */
+function pointText({ dataset, raw }) {
+  return `${dataset.label}${raw.name ? `, ${raw.name}` : ""}: ${raw.x.toPrecision(3)}, ${raw.y.toPrecision(3)}`;
 }
 
 function studyChart(canvas, chart) {
@@ -52,7 +57,7 @@ function studyChart(canvas, chart) {
     options: {
       animation: false, maintainAspectRatio: false,
       scales: { x, y: axis(chart.y_title, chart.log_y) },
-      plugins: { legend: { labels: { color, boxHeight: 2 } }, marks: { at: chart.marks } },
+      plugins: { legend: { labels: { color, boxHeight: 2 } }, marks: { at: chart.marks }, ...(bars ? {} : { tooltip: { callbacks: { label: pointText } } }) },
     },
   });
 }

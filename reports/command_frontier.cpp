@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "pathtracer/render.h"
+#include "reports/commands.h"
+#include "reports/frontier_page.h"
+#include "reports/output_folder.h"
+#include "reports/picture_size.h"
+#include "reports/words.h"
+#include "scenes/command_line.h"
+
+namespace plumbline {
+
+namespace {
+
+/// How much is measured without --quick and with it.
+struct Effort {
+    double pixels;  ///< of a picture without --size, at 16:9
+    int truth_spp;
+    std::vector<int> spp;
+    int repeats;
+};
+
+const Effort default_effort{320. * 180., 1024, {1, 4, 16, 64, 256}, 3};
+const Effort quick_effort{160. * 90., 256, {1, 4, 16, 64}, 2};
+
+struct Options {
+    CommonOptions common;
+    std::string scene;
+    std::filesystem::path folder;
+    std::string reference;
+    std::optional<int> repeats;
+    bool quick = false;
+    bool json = false;
+
+    const Effort& effort() const { return quick ? quick_effort : default_effort; }
+};
+
+Image truth_of(Scene& scene, int frame, const Options& options) {
+    if (!options.reference.empty()) {
+        Image truth = read_image(options.reference);
+        scene.camera.width = truth.width();
+        scene.camera.height = truth.height();
+        return truth;
+    }
+    reports::set_default_size(scene.camera, options.common, options.effort().pixels);
+    pathtracer::RenderOptions render;
+    render.spp = options.effort().truth_spp;
+    return pathtracer::render(scene, frame, render).image;
+}
+
+std::string command_of(const Options& options) {
+    std::string command = "plumbline frontier " + reports::shell_word(options.scene);
+    if (options.common.width)
+        command += fmt::format(" --size {}x{}", *options.common.width, *options.common.height);
+    if (options.common.frame) command += fmt::format(" --frame {}", *options.common.frame);
+    if (options.common.threads > 0) command += fmt::format(" --threads {}", options.common.threads);
+    if (!options.reference.empty())
+        command += " --reference " + reports::shell_word(options.reference);
+    if (options.repeats) command += fmt::format(" --repeats {}", *options.repeats);
+    if (options.quick) command += " --quick";
+    return command + " -o " + reports::shell_word(options.folder.string());
+}
+
+void run(const Options& options) {
+    const auto threads = options.common.apply();
+    reports::check_folder(options.folder);
+    Scene scene = load_scene_for(options.scene, options.common);
+    const int frame = options.common.frame ? frame_of(scene, options.common) : scene.report_frame;
+    const reports::FrontierOptions measured{options.effort().spp,
+                                            reports::frontier_cases(scene, options.quick),
+                                            options.repeats.value_or(options.effort().repeats)};
+    reports::check(measured);
+    const Image truth = truth_of(scene, frame, options);
+    const reports::Frontier frontier = reports::measure_frontier(scene, frame, truth, measured);
+    const std::string results = reports::frontier_json(frontier).dump(2) + "\n";
+    reports::write_folder(options.folder,
+                          {{"frontier.json", results},
+                           {"frontier.csv", reports::frontier_csv(frontier)},
+                           {"index.html", reports::study_html(reports::frontier_page(
+                                              frontier, command_of(options)))}});
+    if (options.json) fmt::print("{}", results);
+}
+
+}  // namespace
+
+void add_frontier_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "frontier", "Measures what accuracy costs in time, for the path tracer and all probes");
+    const auto options = std::make_shared<Options>();
+    command.add_option("scene", options->scene, "Built-in name, or .json, .gltf, .glb file")
+        ->required();
+    command
+        .add_option("-o,--output", options->folder,
+                    "Folder for index.html, frontier.csv and frontier.json")
+        ->required();
+    add_common_options(command, options->common);
+    command.add_option("--reference", options->reference,
+                       "EXR with the truth (default: path-traced with 1024 samples a pixel)");
+    command.add_option("--repeats", options->repeats,
+                       "Runs of each, of which the median counts (default: 3; 2 with --quick)");
+    command.add_flag("--quick", options->quick,
+                     "Smaller pictures, a noisier truth and fewer settings");
+    command.add_flag("--json", options->json, "Print frontier.json on stdout too");
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace plumbline
