@@ -14,6 +14,18 @@ namespace {
 constexpr float division_tolerance = 1e-4f;
 constexpr float most_probes_along_an_axis = 1024.f;
 
+/// A point, clamped into the grid, in cells from its origin.
+glm::vec3 place_in(const ProbeGrid& grid, const glm::vec3& point) {
+    return glm::clamp((point - grid.origin) / grid.spacing, glm::vec3(0.f),
+                      glm::vec3(grid.counts - 1));
+}
+
+/// The lower corner of the cell at a place_in(); a point on the last layer belongs to the cell
+/// before it.
+glm::ivec3 cell_around(const ProbeGrid& grid, const glm::vec3& place) {
+    return glm::max(glm::min(glm::ivec3(place), grid.counts - 2), 0);
+}
+
 }  // namespace
 
 std::uint32_t probe_count(const ProbeGrid& grid) {
@@ -52,12 +64,14 @@ ProbeGrid with_spacing(const ProbeGrid& grid, float spacing) {
     return {grid.origin - overhang / 2.f, spacing, glm::ivec3(cells) + 1};
 }
 
+std::uint32_t cell_probe(const ProbeGrid& grid, const glm::vec3& point) {
+    return probe_index(grid, cell_around(grid, place_in(grid, point)));
+}
+
 ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point) {
-    const glm::vec3 last = glm::vec3(grid.counts - 1);
-    const glm::vec3 cells = glm::clamp((point - grid.origin) / grid.spacing, glm::vec3(0.f), last);
-    // A point on the last layer belongs to the cell before it.
-    const glm::ivec3 base = glm::max(glm::min(glm::ivec3(cells), grid.counts - 2), 0);
-    const glm::vec3 upper = cells - glm::vec3(base);
+    const glm::vec3 place = place_in(grid, point);
+    const glm::ivec3 base = cell_around(grid, place);
+    const glm::vec3 upper = place - glm::vec3(base);
     const glm::vec3 lower = 1.f - upper;
 
     ProbeNeighbours result;

@@ -32,6 +32,9 @@ struct ProbeNeighbours {
     std::array<float, 8> weight;
 };
 
+/// The lowest of the eight probes around a point: which cell it is in.
+std::uint32_t cell_probe(const ProbeGrid& grid, const glm::vec3& point);
+
 /// The cell around `point`, which is first clamped into the grid [Dellson 2023, listing 4.1].
 ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point);
 

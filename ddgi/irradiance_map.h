@@ -17,7 +17,7 @@ struct MapPoint {
 
 /// Nodes along a side of the square that the octahedron unfolds to; odd, so that the six axes,
 /// which most walls face, are nodes.
-constexpr int map_side = 9;
+constexpr int map_side = 7;
 constexpr std::size_t map_nodes = std::size_t{map_side} * map_side;
 
 /// The unit directions of the nodes [Cigolle et al. 2014]. Nodes on the border, where the

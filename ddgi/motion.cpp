@@ -15,6 +15,25 @@ Bounds with_margin(const Bounds& box) {
     return box.grown(rounding_margin * max_component(reach));
 }
 
+/// Half the surface: how likely a box is met by a ray [Pharr et al. 2023, section 7.3.2].
+float half_area(const Bounds& box) {
+    const glm::vec3 size = box.size();
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+/// Where an object was, and where it is.
+void add_boxes(const Bounds& was, const Bounds& is, std::vector<Bounds>& boxes) {
+    if (was.empty() || is.empty()) return;  // an object without surfaces
+    Bounds both = was;
+    both.extend(is);
+    if (half_area(both) <= half_area(was) + half_area(is)) {
+        boxes.push_back(with_margin(both));
+        return;
+    }
+    boxes.push_back(with_margin(was));
+    boxes.push_back(with_margin(is));
+}
+
 }  // namespace
 
 Motion motion_between(const World& before, const World& after) {
@@ -27,8 +46,7 @@ Motion motion_between(const World& before, const World& after) {
         // A turning object may keep its box, so transforms are compared.
         if (was.to_world == is.to_world) continue;
         motion.moved[i] = true;
-        if (!was.bounds.empty()) motion.boxes.push_back(with_margin(was.bounds));
-        if (!is.bounds.empty()) motion.boxes.push_back(with_margin(is.bounds));
+        add_boxes(was.bounds, is.bounds, motion.boxes);
     }
     motion.lights =
         before.lights != after.lights || before.directional_lights != after.directional_lights;
@@ -47,21 +65,13 @@ World moved_part(const World& world, const Motion& motion) {
     return movers;
 }
 
-bool meets(const Bounds& box, const glm::vec3& origin, const glm::vec3& direction, float length) {
-    float enter = 0.f;
-    float leave = length;
+BoxRay::BoxRay(const glm::vec3& origin, const glm::vec3& direction, float length)
+    : origin_(origin), length_(length) {
+    // 1 / 0 would give 0 * infinity, NaN, for an origin on the box's plane.
+    constexpr float steepest = 1e-30f;
     for (int axis = 0; axis < 3; ++axis) {
-        if (direction[axis] == 0.f) {
-            // Dividing by zero would give NaN for an origin on the box's plane.
-            if (origin[axis] < box.lower[axis] || origin[axis] > box.upper[axis]) return false;
-            continue;
-        }
-        const float a = (box.lower[axis] - origin[axis]) / direction[axis];
-        const float b = (box.upper[axis] - origin[axis]) / direction[axis];
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
+        inverse_[axis] = 1.f / (direction[axis] == 0.f ? steepest : direction[axis]);
     }
-    return enter <= leave;
 }
 
 }  // namespace plumbline::ddgi

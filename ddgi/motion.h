@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "scenes/world.h"
@@ -9,7 +10,8 @@ namespace plumbline::ddgi {
 
 /// What changed from one frame to the next.
 struct Motion {
-    /// Of every object that moved: where it was and where it is, grown by the rounding of rays.
+    /// Of every object that moved: where it was and where it is, grown by the rounding of rays; one
+    /// box around both where that is no larger than the two.
     std::vector<Bounds> boxes;
     std::vector<bool> moved;  ///< one an object of the world
     bool lights = false;      ///< a light changed
@@ -23,8 +25,26 @@ World moved_part(const World& world, const Motion& motion);
 /// Compares two frames of one scene.
 Motion motion_between(const World& before, const World& after);
 
-/// Whether the points origin + t direction with 0 <= t <= length meet the box; `length` may be
-/// infinite.
-bool meets(const Bounds& box, const glm::vec3& origin, const glm::vec3& direction, float length);
+/// The points origin + t direction with 0 <= t <= length, made ready to be held against many
+/// boxes; `length` may be infinite.
+class BoxRay {
+ public:
+    BoxRay(const glm::vec3& origin, const glm::vec3& direction, float length);
+
+    /// Whether one of the points is in the box, to within the rounding that Motion::boxes allow.
+    bool meets(const Bounds& box) const {
+        const glm::vec3 a = (box.lower - origin_) * inverse_;
+        const glm::vec3 b = (box.upper - origin_) * inverse_;
+        const glm::vec3 enter = glm::min(a, b);
+        const glm::vec3 leave = glm::max(a, b);
+        return std::max({0.f, enter.x, enter.y, enter.z}) <=
+               std::min({length_, leave.x, leave.y, leave.z});
+    }
+
+ private:
+    glm::vec3 origin_;
+    glm::vec3 inverse_;
+    float length_;
+};
 
 }  // namespace plumbline::ddgi

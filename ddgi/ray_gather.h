@@ -40,7 +40,7 @@ class RayEnds {
     RaySums from_point(std::size_t probe, const glm::vec3& x, const glm::vec3& n,
                        const float* radiance) const;
 
-    static constexpr float most_magnified = 4.f;
+    static constexpr float most_magnified = 8.f;
 
  private:
     enum Value : std::size_t { Dx, Dy, Dz, X, Y, Z, Nx, Ny, Nz, PatchArea, value_count };

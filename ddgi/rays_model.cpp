@@ -3,7 +3,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include <atomic>
+#include <algorithm>
 #include <glm/gtc/constants.hpp>
 
 #include "ddgi/look_up.h"
@@ -26,28 +26,43 @@ Spectrum irradiance(const RaySums& sums) {
 }  // namespace
 
 void RaysModel::take_surfels(const SurfelCache& cache, const Spectrum& environment) {
+    const bool afresh = cache_ != &cache || environment_ != environment;
     cache_ = &cache;
+    environment_ = environment;
     const Surfels& surfels = cache.surfels();
-    if (!ends_) ends_.emplace(probe_count(grid_), rays(), grid_.spacing);
-    unfed_.resize(surfels.size());
-    emitted_.assign(surfels.size() * 3, 0.f);
-    std::atomic<bool> any_emits = false;
+    if (afresh) {
+        ends_.emplace(probe_count(grid_), rays(), grid_.spacing);
+        unfed_.resize(surfels.size());
+        around_.resize(surfels.size());
+        emitted_.assign(surfels.size() * 3, 0.f);
+        emitters_.assign(probe_count(grid_), 0);
+    }
     tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
-        bool moved = false;
+        bool moved = afresh;
         for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i) {
             moved = moved || cache.replaced(i);
-            const Spectrum emitted = surfels.hit(i) ? surfels.emission[i] : environment;
-            put(emitted_, i, rays(), emitted);
-            if (emitted != Spectrum(0.f)) any_emits = true;
-            unfed_[i] = emitted;
-            if (!surfels.hit(i)) continue;
-            unfed_[i] += surfels.albedo[i] / glm::pi<float>() * surfels.direct[i];
+            if (afresh || cache.changed(i)) take_surfel(i);
         }
         if (!moved) return;
+        const std::span<const float> emitted(&emitted_[probe * 3 * rays()], 3 * rays());
+        emitters_[probe] = std::ranges::any_of(emitted, [](float L) { return L != 0.f; });
         const glm::vec3 position = probe_position(grid_, static_cast<std::uint32_t>(probe));
         ends_->set(probe, position, surfels);
     });
-    if (!any_emits) emitted_.clear();
+    any_emits_ = std::ranges::any_of(emitters_, [](std::uint8_t emits) { return emits != 0; });
+}
+
+void RaysModel::take_surfel(std::size_t surfel) {
+    const Surfels& surfels = cache_->surfels();
+    const bool hit = surfels.hit(surfel);
+    const Spectrum emitted = hit ? surfels.emission[surfel] : environment_;
+    put(emitted_, surfel, rays(), emitted);
+    unfed_[surfel] = emitted;
+    if (!hit) return;
+    unfed_[surfel] += surfels.albedo[surfel] / glm::pi<float>() * surfels.direct[surfel];
+    const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[surfel];
+    around_[surfel] =
+        weighted_probes(grid_, surfels.position[surfel], surfels.n[surfel], options_.weights, seen);
 }
 
 RaysModel::Maps RaysModel::irradiance_maps(std::span<const float> values) const {
@@ -70,7 +85,8 @@ Spectrum RaysModel::map_irradiance(const Maps& maps, const ProbeNeighbours& arou
         if (around.weight[k] == 0.f) continue;
         const glm::vec4* map = &maps[around.probe[k] * map_nodes];
         for (std::size_t i = 0; i < at.node.size(); ++i) {
-            E += around.weight[k] * at.weight[i] * map[at.node[i]];
+            // Walls face an axis, where one node alone counts.
+            if (at.weight[i] != 0.f) E += around.weight[k] * at.weight[i] * map[at.node[i]];
         }
     }
     return Spectrum(E);
@@ -106,8 +122,7 @@ Spectrum RaysModel::feedback(const Maps& maps, std::span<const float> previous,
     const Surfels& surfels = cache_->surfels();
     const glm::vec3& x = surfels.position[surfel];
     const glm::vec3& n = surfels.n[surfel];
-    const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[surfel];
-    const ProbeNeighbours around = weighted_probes(grid_, x, n, options_.weights, seen);
+    const ProbeNeighbours& around = around_[surfel];
     return maps.empty() ? ray_irradiance(previous, around, x, n) : map_irradiance(maps, around, n);
 }
 
@@ -131,7 +146,7 @@ Spectrum RaysModel::probe_light(std::span<const float> values, const ReceiverPoi
 }
 
 Spectrum RaysModel::emitted_light(const ReceiverPoint& point) const {
-    return emitted_.empty() ? Spectrum(0.f) : probe_light(emitted_, point);
+    return any_emits_ ? probe_light(emitted_, point) : Spectrum(0.f);
 }
 
 }  // namespace plumbline::ddgi

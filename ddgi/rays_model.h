@@ -37,6 +37,7 @@ class RaysModel final : public ProbeModel {
     using Maps = std::vector<glm::vec4>;
 
     std::size_t rays() const { return static_cast<std::size_t>(cache_->surfels().per_probe); }
+    void take_surfel(std::size_t surfel);
     Maps irradiance_maps(std::span<const float> values) const;
     Spectrum map_irradiance(const Maps& maps, const ProbeNeighbours& around,
                             const glm::vec3& n) const;
@@ -48,9 +49,13 @@ class RaysModel final : public ProbeModel {
     ProbeGrid grid_;
     ProbeOptions options_;
     const SurfelCache* cache_ = nullptr;
+    Spectrum environment_{0.f};
     std::optional<RayEnds> ends_;
-    std::vector<Spectrum> unfed_;  ///< radiance each surfel ray brings without any feedback
-    std::vector<float> emitted_;   ///< probe values of emission and environment; empty if none
+    std::vector<Spectrum> unfed_;          ///< radiance a surfel ray brings without feedback
+    std::vector<ProbeNeighbours> around_;  ///< what each surfel gathers from
+    std::vector<float> emitted_;           ///< probe values of emission and environment
+    std::vector<std::uint8_t> emitters_;   ///< of each probe, whether emitted_ has any for it
+    bool any_emits_ = false;
 };
 
 }  // namespace plumbline::ddgi

@@ -10,6 +10,10 @@ namespace {
 /// [Majercik et al. 2019, section 5.2, listing 2: 0.2; less here, since nothing is denoised].
 constexpr float least_backface_weight = .05f;
 
+/// In cells: a probe this near to a surface behind it stands in that surface, and its rays start on
+/// both sides of it.
+constexpr float in_surface = 1e-3f;
+
 /// Cosine between the surface's normal and the way to the probe; 1 where the point is the probe.
 float cosine_to(const glm::vec3& way, const glm::vec3& n) {
     const float distance = glm::length(way);
@@ -30,7 +34,10 @@ std::uint8_t seen_probes(const RayTracer& tracer, const ProbeGrid& grid, const g
     for (unsigned k = 0; k < around.probe.size(); ++k) {
         if (around.weight[k] == 0.f) continue;
         const glm::vec3 probe = probe_position(grid, around.probe[k]);
-        if (glm::dot(probe - x, n) > 0.f && !tracer.occluded(x, probe)) seen |= 1u << k;
+        const glm::vec3 way = probe - x;
+        if (glm::dot(way, n) <= 0.f) continue;
+        const glm::vec3 beyond = probe + in_surface * grid.spacing * glm::normalize(way);
+        if (!tracer.occluded(x, beyond)) seen |= 1u << k;
     }
     return static_cast<std::uint8_t>(seen);
 }
@@ -40,7 +47,7 @@ Bounds bounds_to_probes(const ProbeGrid& grid, const glm::vec3& x) {
     for (const std::uint32_t probe : probe_neighbours(grid, x).probe) {
         bounds.extend(probe_position(grid, probe));
     }
-    return bounds;
+    return bounds.grown(in_surface * grid.spacing);
 }
 
 ProbeNeighbours weighted_probes(const ProbeGrid& grid, const glm::vec3& x, const glm::vec3& n,

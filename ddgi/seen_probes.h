@@ -19,7 +19,8 @@ enum class ProbeWeights {
 constexpr std::uint8_t all_probes = 0xff;
 
 /// Bit k is set if probe k around a point can be seen from it: it stands in front of the surface
-/// with unit normal `n`, and nothing lies between. `x` is just off the surface.
+/// with unit normal `n`, and nothing lies between or right behind it: a probe that stands in a
+/// wall's face has rays on both sides of the wall. `x` is just off the surface.
 std::uint8_t seen_probes(const RayTracer& tracer, const ProbeGrid& grid, const glm::vec3& x,
                          const glm::vec3& n);
 

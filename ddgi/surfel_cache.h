@@ -15,15 +15,15 @@ namespace plumbline::ddgi {
 
 /// How far surfel rays go, and so which of them a moved object can touch.
 enum class Reach {
-    /// One cell along each axis. A probe re-places all its surfels if it lies within a cell of a
-    /// moved object's box [Dellson 2023, section 3.6].
-    OneCell,
-    /// To the first surface. A surfel is re-placed if it is on a moved object, or if its ray meets
-    /// one before where it ended, and no other is.
-    FirstSurface,
+    OneCell,       ///< one cell along each axis [Dellson 2023, section 3.3]
+    FirstSurface,  ///< as far as it takes
 };
 
 /// The surfels of all probes, traced and lit again only where the world changed.
+///
+/// A surfel is re-placed if its ray meets a moved object before where it ended, or if it was on a
+/// moved object that it no longer meets at the very same point. [Dellson 2023, section 3.6]
+/// re-places all surfels of a probe that lies within a cell of a moved object's box.
 ///
 /// After every call the surfels are the ones that tracing all of them afresh would give.
 class SurfelCache {
@@ -43,6 +43,11 @@ class SurfelCache {
     const ProbeGrid& grid() const { return grid_; }
     /// Whether the last call placed this surfel.
     bool replaced(std::size_t surfel) const { return to_place_[surfel] != 0; }
+    /// Whether the last call may have changed anything of this surfel.
+    bool changed(std::size_t surfel) const {
+        return to_place_[surfel] != 0 || to_light_[surfel] != 0 ||
+               (!to_see_.empty() && to_see_[surfel] != 0);
+    }
     /// How many surfels are on a surface.
     std::uint64_t hits() const { return hits_; }
 
@@ -61,8 +66,11 @@ class SurfelCache {
     void place_marked(const RayTracer& tracer);
     void mark_shadows(const World& world, const Motion& motion);
     void light_marked(const RayTracer& tracer);
+    bool within_reach(const Motion& motion, std::size_t probe) const;
+    std::vector<std::uint8_t> moved_cells(const Motion& motion) const;
     void see_probes(const RayTracer& tracer, const Motion* motion);
     void place(const RayTracer& tracer, std::size_t surfel);
+    bool is_at(const Hit& hit, const World& world, std::size_t surfel) const;
     Ray ray_of(std::size_t surfel) const;
 
     ProbeGrid grid_;
@@ -71,6 +79,7 @@ class SurfelCache {
     Surfels surfels_;
     std::vector<std::uint8_t> to_place_;  ///< one a surfel
     std::vector<std::uint8_t> to_light_;  ///< one a surfel
+    std::vector<std::uint8_t> to_see_;    ///< one a surfel; empty if nobody asks for seen probes
     std::uint64_t hits_ = 0;
     Figures figures_;
 };

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 
 namespace plumbline::reports {
@@ -24,6 +25,28 @@ constexpr std::array<Step, 6> steps{
      {"firstSurface", "first-surface", "rays to the first surface"},
      {"multiBounce", "multi-bounce", "multiple bounces"}}};
 
+template <typename Choice>
+const std::string& name_of(const std::map<std::string, Choice>& names, Choice choice) {
+    return std::ranges::find(names, choice, [](const auto& named) { return named.second; })->first;
+}
+
+/// What `plumbline ddgi` is told for the choices of conserving that are not the default.
+std::string choices_text(const ddgi::DdgiOptions& options) {
+    const ddgi::ProbeOptions& chosen = options.probes;
+    const ddgi::ProbeOptions usual;
+    std::string text;
+    if (chosen.storage != usual.storage)
+        text += " --storage " + name_of(ddgi::storage_names, chosen.storage);
+    if (chosen.weights != usual.weights)
+        text += " --weights " + name_of(ddgi::weights_names, chosen.weights);
+    if (chosen.feedback != usual.feedback)
+        text += " --feedback " + name_of(ddgi::feedback_names, chosen.feedback);
+    if (!chosen.shifted) text += " --no-shift";
+    if (!chosen.parallax) text += " --no-parallax";
+    if (options.edge_samples) text += fmt::format(" --edge-samples {}", *options.edge_samples);
+    return text;
+}
+
 AblationCase make_case(const std::string& group, const std::string& name, const std::string& title,
                        const ddgi::DdgiOptions& options) {
     std::string text = "--model " + options.model;
@@ -31,7 +54,7 @@ AblationCase make_case(const std::string& group, const std::string& name, const 
         text += fmt::format(" --surfels {}", options.surfels);
     for (const auto& [constant, value] : options.set)
         text += fmt::format(" --set {}={}", constant, value);
-    return {group, name, title, text, options};
+    return {group, name, title, text + choices_text(options), options};
 }
 
 ddgi::DdgiOptions with_model(const std::string& model) {
@@ -71,6 +94,38 @@ void add_surfels(std::vector<AblationCase>& cases) {
     }
 }
 
+/// A choice of conserving other than the default's.
+struct Choice {
+    const char* name;
+    const char* title;
+    void (*make)(ddgi::DdgiOptions& options);
+};
+
+constexpr std::array<Choice, 7> choices{
+    {{"octants", "means of octants in place of all rays",
+      [](ddgi::DdgiOptions& options) { options.probes.storage = ddgi::Storage::Octants; }},
+     {"weights-none", "trilinear weights alone",
+      [](ddgi::DdgiOptions& options) { options.probes.weights = ddgi::ProbeWeights::None; }},
+     {"weights-backface", "probes behind the surface fade, unseen ones count",
+      [](ddgi::DdgiOptions& options) { options.probes.weights = ddgi::ProbeWeights::Backface; }},
+     {"no-parallax", "no parallax",
+      [](ddgi::DdgiOptions& options) { options.probes.parallax = false; }},
+     {"no-shift", "the same rays at every probe",
+      [](ddgi::DdgiOptions& options) { options.probes.shifted = false; }},
+     {"feedback-rays", "surfels gather from all rays",
+      [](ddgi::DdgiOptions& options) { options.probes.feedback = ddgi::Feedback::Rays; }},
+     {"edges-4", "four samples on edges",
+      [](ddgi::DdgiOptions& options) { options.edge_samples = 4; }}}};
+
+void add_choices(std::vector<AblationCase>& cases) {
+    for (const Choice& choice : choices) {
+        ddgi::DdgiOptions options = with_model("conserving");
+        choice.make(options);
+        cases.push_back(make_case("Conserving, one choice changed", choice.name,
+                                  std::string("conserving, ") + choice.title, options));
+    }
+}
+
 }  // namespace
 
 std::vector<AblationCase> ablation_cases() {
@@ -78,6 +133,24 @@ std::vector<AblationCase> ablation_cases() {
     add_road(cases);
     add_single_steps(cases);
     add_surfels(cases);
+    add_choices(cases);
+    return cases;
+}
+
+std::vector<AblationCase> leak_cases() {
+    const std::string group = "Leak";
+    std::vector<AblationCase> cases{
+        make_case(group, "thesis", "thesis as published", with_model("thesis"))};
+    for (const auto& [storage_name, storage] : ddgi::storage_names) {
+        for (const auto& [weights_name, weights] : ddgi::weights_names) {
+            ddgi::DdgiOptions options = with_model("conserving");
+            options.probes.storage = storage;
+            options.probes.weights = weights;
+            cases.push_back(make_case(
+                group, fmt::format("{}-{}", storage_name, weights_name),
+                fmt::format("conserving, {}, weights: {}", storage_name, weights_name), options));
+        }
+    }
     return cases;
 }
 

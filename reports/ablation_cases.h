@@ -21,4 +21,7 @@ struct AblationCase {
 /// alone, and each choice of the default model changed alone.
 std::vector<AblationCase> ablation_cases();
 
+/// Every model and every way to weight its probes: those that may leak light in unlike ways.
+std::vector<AblationCase> leak_cases();
+
 }  // namespace plumbline::reports

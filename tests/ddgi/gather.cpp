@@ -116,7 +116,7 @@ TEST_CASE("a map interpolates between nodes with weights that sum to one", "[ddg
             mean += at.weight[k] * map_directions()[at.node[k]];
         }
         REQUIRE(sum == Approx(1.f));
-        REQUIRE(glm::dot(glm::normalize(mean), n) > std::cos(glm::radians(6.f)));
+        REQUIRE(glm::dot(glm::normalize(mean), n) > std::cos(glm::radians(9.f)));
     }
 }
 
