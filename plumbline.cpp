@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : bad_input;
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        return fail(plumbline::usage_line(app, error).c_str());
     } catch (const plumbline::InputError& error) {
         return fail(error.what());
     } catch (const std::bad_alloc&) {

@@ -11,6 +11,7 @@ void add_leak_command(CLI::App& app);
 void add_pictures_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_sequence_command(CLI::App& app);
+void add_stress_command(CLI::App& app);
 
 void add_reports_commands(CLI::App& app) {
     add_ablation_command(app);
@@ -21,6 +22,7 @@ void add_reports_commands(CLI::App& app) {
     add_pictures_command(app);
     add_report_command(app);
     add_sequence_command(app);
+    add_stress_command(app);
 }
 
 }  // namespace plumbline

@@ -31,6 +31,10 @@ Scene load_scene_for(const std::string& scene, const CommonOptions& options);
 /// --frame, or frame 0. Throws UsageError if the scene has no such frame.
 int frame_of(const Scene& scene, const CommonOptions& options);
 
+/// A mistake on the command line in one line: the subcommand and option, what is wrong, and what
+/// would be right. `app` is the program, which has parsed as far as it could.
+std::string usage_line(const CLI::App& app, const CLI::ParseError& error);
+
 /// How a subcommand ends when nothing was thrown: 0 done, 1 a check that was asked for failed.
 /// The callback of each subcommand sets it; plumbline.cpp returns it.
 extern int exit_code;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "scenes/effects.h"
 #include "scenes/inspection.h"
@@ -72,12 +73,82 @@ void warn_of_precision(const World& world, std::vector<std::string>& warnings) {
     }
 }
 
+/// The point of the triangle a, b, c nearest to `p` [Ericson 2005, section 5.1.5].
+glm::dvec3 nearest_point(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
+                         const glm::dvec3& c) {
+    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+    const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+    if (d1 <= 0. && d2 <= 0.) return a;
+    if (d3 >= 0. && d4 <= d3) return b;
+    if (d6 >= 0. && d5 <= d6) return c;
+    const double of_c = d1 * d4 - d3 * d2;
+    if (of_c <= 0. && d1 >= 0. && d3 <= 0.) return a + ab * (d1 / (d1 - d3));
+    const double of_b = d5 * d2 - d1 * d6;
+    if (of_b <= 0. && d2 >= 0. && d6 <= 0.) return a + ac * (d2 / (d2 - d6));
+    const double of_a = d3 * d6 - d5 * d4;
+    if (of_a <= 0. && d4 >= d3 && d5 >= d6) {
+        return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    }
+    return a + (ab * of_b + ac * of_c) / (of_a + of_b + of_c);
+}
+
+/// The object with a surface within `reach` of the point, and how near that surface is.
+struct Near {
+    int object;
+    double distance;
+};
+
+std::optional<Near> surface_near(const World& world, const glm::vec3& point, float reach) {
+    const glm::dvec3 p(point);
+    for (const WorldMesh& mesh : world.meshes) {
+        if (!world.objects[std::size_t(mesh.object)].bounds.grown(reach).contains(point)) continue;
+        for (const glm::uvec3& t : mesh.triangles) {
+            Bounds box;
+            for (int i = 0; i < 3; ++i) box.extend(mesh.positions[t[i]]);
+            if (!box.grown(reach).contains(point)) continue;
+            const double distance =
+                glm::length(p - nearest_point(p, glm::dvec3(mesh.positions[t.x]),
+                                              glm::dvec3(mesh.positions[t.y]),
+                                              glm::dvec3(mesh.positions[t.z])));
+            if (distance <= double(reach)) return Near{mesh.object, distance};
+        }
+    }
+    for (const WorldSphere& sphere : world.spheres) {
+        const double off_center = glm::length(p - glm::dvec3(sphere.center));
+        const double distance = std::abs(off_center - double(sphere.radius));
+        if (distance <= double(reach)) return Near{sphere.object, distance};
+    }
+    return std::nullopt;
+}
+
+/// Irradiance of a point with inverse-square falloff has no bound at a surface that it touches.
+void warn_of_near_lights(const World& world, std::vector<std::string>& warnings) {
+    constexpr float too_near = 1e-4f;  // of the scene's size; the spot is then a pixel at most
+    const Bounds bounds = world.bounds();
+    if (bounds.empty()) return;
+    for (const PointLight& light : world.lights) {
+        if (light.falloff != Falloff::InverseSquare || light.radius > 0.f) continue;
+        const auto near =
+            surface_near(world, light.position, too_near * max_component(bounds.size()));
+        if (!near) continue;
+        warnings.push_back(fmt::format(
+            "light {} is {:.2g} off a surface of {}: almost all that it sends there falls on a "
+            "spot that no path finds again, and its bounces are missing; move it off, or give it a "
+            "radius",
+            in_quotes(light.name), near->distance,
+            in_quotes(world.objects[std::size_t(near->object)].name)));
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene, const World& world) {
     std::vector<std::string> warnings;
     warn_of_triangles(world, warnings);
     warn_of_precision(world, warnings);
+    warn_of_near_lights(world, warnings);
     if (effects_of(scene) == Effects{}) {
         warnings.push_back("the picture is black: no light, no emitter, and a black environment");
     }
