@@ -12,9 +12,12 @@
 #include "reports/picture_size.h"
 #include "reports/report.h"
 #include "reports/results_json.h"
+#include "reports/results_markdown.h"
 #include "reports/stages.h"
 #include "reports/words.h"
 #include "scenes/command_line.h"
+#include "scenes/errors.h"
+#include "scenes/scene_files.h"
 #include "scenes/whole_file.h"
 
 namespace plumbline {
@@ -29,6 +32,8 @@ struct Options {
     std::vector<std::string> scenes;
     std::filesystem::path folder;
     bool quick = false;
+    bool publish = false;
+    std::filesystem::path results;  ///< where to publish; empty: in the sources
 };
 
 /// What is measured, and at which frame.
@@ -53,12 +58,64 @@ std::string command_of(const Options& options) {
     if (options.common.frame) command += fmt::format(" --frame {}", *options.common.frame);
     if (options.common.threads > 0) command += fmt::format(" --threads {}", options.common.threads);
     if (options.quick) command += " --quick";
+    if (options.publish) command += " --publish";
+    if (!options.results.empty())
+        command += " --results " + reports::shell_word(options.results.string());
     return command + " -o " + reports::shell_word(options.folder.string());
+}
+
+/// Where the published results go. Throws UsageError where no sources are.
+std::filesystem::path published_file(const Options& options) {
+    if (!options.results.empty()) return options.results;
+    if (!std::filesystem::exists("plumbline.cpp") || !std::filesystem::is_directory("reports"))
+        throw UsageError("--publish", "Plumbline's sources are not in this folder",
+                         "run it there, or say where with --results FILE.md");
+    return std::filesystem::path("reports") / "RESULTS.md";
+}
+
+/// One fit to all scenes that have constants, tested on scenes that are unlike them.
+std::optional<compare::FitResult> transfer_of(const reports::Report& report,
+                                              const std::vector<Subject>& subjects,
+                                              const reports::Quality& quality) {
+    std::vector<compare::FitCase> cases;
+    for (std::size_t i = 0; i < subjects.size(); ++i)
+        if (subjects[i].scene.thesis)
+            cases.push_back({&subjects[i].scene, subjects[i].frame, &report.scenes[i].truth.image});
+    if (cases.empty()) return std::nullopt;
+    std::vector<Subject> further;
+    std::vector<Image> truths;
+    for (const char* name : {"two-rooms", "courtyard"}) {
+        Subject subject{name, load_scene(name), 0};
+        subject.frame = subject.scene.report_frame;
+        subject.scene.camera.width = subjects[0].scene.camera.width;
+        subject.scene.camera.height = subjects[0].scene.camera.height;
+        pathtracer::RenderOptions render;
+        render.spp = quality.truth_spp;
+        truths.push_back(pathtracer::render(subject.scene, subject.frame, render).image);
+        further.push_back(std::move(subject));
+    }
+    compare::FitSettings settings;
+    for (std::size_t i = 0; i < further.size(); ++i)
+        settings.tests.push_back({&further[i].scene, further[i].frame, &truths[i]});
+    return compare::fit(cases, settings);
+}
+
+/// What is published beyond the page: frontiers, and the transfer of constants between scenes.
+void measure_published(reports::Report& report, const std::vector<Subject>& subjects,
+                       const reports::Quality& quality) {
+    constexpr int repeats = 2;
+    for (std::size_t i = 0; i < subjects.size(); ++i)
+        report.frontiers.push_back(reports::measure_frontier(
+            subjects[i].scene, subjects[i].frame, report.scenes[i].truth.image,
+            {quality.path_tracer_spp, reports::frontier_cases(subjects[i].scene, true), repeats}));
+    report.transfer = transfer_of(report, subjects, quality);
 }
 
 void run(const Options& options) {
     const std::shared_ptr<void> threads = options.common.apply();
     reports::check_folder(options.folder);
+    const std::filesystem::path published =
+        options.publish ? published_file(options) : std::filesystem::path();
     const reports::Quality quality = reports::quality_of(options.quick);
     std::vector<Subject> subjects;
     double work = 0;
@@ -77,10 +134,14 @@ void run(const Options& options) {
     for (const Subject& subject : subjects)
         report.scenes.push_back(
             reports::measure(subject.argument, subject.scene, subject.frame, quality, stages));
+    if (options.publish) measure_published(report, subjects, quality);
     const std::string results = reports::results_json(report).dump(2) + "\n";
     const std::string page = reports::page_html(report);
     write_text(options.folder / "results.json", results);
     write_text(options.folder / "index.html", page);
+    if (options.publish)
+        reports::write_folder(published.parent_path(),
+                              reports::published_files(report, published.filename().string()));
 }
 
 }  // namespace
@@ -95,6 +156,11 @@ void add_report_command(CLI::App& app) {
     command->add_option("-o,--output", options->folder, "Folder for index.html and results.json")
         ->required();
     command->add_flag("--quick", options->quick, "Fewer samples: more noise, a third of the time");
+    command->add_flag("--publish", options->publish,
+                      "Also write the results as Markdown with small pictures, with frontiers and "
+                      "the transfer of constants between scenes");
+    command->add_option("--results", options->results,
+                        "File for --publish (default: reports/RESULTS.md of the sources)");
     add_common_options(*command, options->common);
     command->callback([options] { run(*options); });
 }

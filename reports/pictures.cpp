@@ -25,7 +25,7 @@ unsigned char display_byte(float linear) {
 
 }  // namespace
 
-std::string png_uri(int width, int height, const std::vector<unsigned char>& rgb) {
+std::vector<unsigned char> png_bytes(int width, int height, const std::vector<unsigned char>& rgb) {
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const std::unique_ptr<OIIO::ImageOutput> png = OIIO::ImageOutput::create("png", &memory);
@@ -33,7 +33,11 @@ std::string png_uri(int width, int height, const std::vector<unsigned char>& rgb
     if (!png || !png->open("memory.png", spec) ||
         !png->write_image(OIIO::TypeDesc::UINT8, rgb.data()) || !png->close())
         throw std::runtime_error("a PNG could not be encoded");
-    return "data:image/png;base64," + base64(bytes);
+    return bytes;
+}
+
+std::string png_uri(int width, int height, const std::vector<unsigned char>& rgb) {
+    return "data:image/png;base64," + base64(png_bytes(width, height, rgb));
 }
 
 std::vector<unsigned char> display_bytes(const Image& image, const std::string& layer,

@@ -9,7 +9,10 @@
 
 namespace plumbline::reports {
 
-/// 8-bit RGB, row by row from the top left, as a PNG in a data URI.
+/// 8-bit RGB, row by row from the top left, as the bytes of a PNG file.
+std::vector<unsigned char> png_bytes(int width, int height, const std::vector<unsigned char>& rgb);
+
+/// The same as a data URI.
 std::string png_uri(int width, int height, const std::vector<unsigned char>& rgb);
 
 /// A layer as sRGB bytes after scaling by 2^stops. Brighter than white is white, and what is not

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/frontier.h"
 #include "reports/machine.h"
 #include "reports/scene_report.h"
 
@@ -17,6 +18,8 @@ struct Report {
     std::string quality;
     Machine machine;
     std::vector<SceneReport> scenes;
+    std::vector<Frontier> frontiers{};             ///< of each scene, if they were measured
+    std::optional<compare::FitResult> transfer{};  ///< one fit to all scenes, if it was asked for
 };
 
 }  // namespace plumbline::reports
