@@ -41,12 +41,10 @@ void ConservingModel::average(std::span<float> values, const Radiance& radiance)
                       });
 }
 
-void ConservingModel::take_surfels(const SurfelCache& cache, const Spectrum& environment) {
+void ConservingModel::take_surfels(const SurfelCache& cache) {
     cache_ = &cache;
     const Surfels& surfels = cache.surfels();
-    const auto emitted = [&](std::size_t i) {
-        return surfels.hit(i) ? surfels.emission[i] : environment;
-    };
+    const auto emitted = [&](std::size_t i) { return surfels.emission[i]; };
     unfed_.resize(surfels.size());
     cosines_.resize(surfels.size());
     std::atomic<bool> any_emits = false;

@@ -20,7 +20,7 @@ class ConservingModel final : public ProbeModel {
     Reach reach() const override { return Reach::FirstSurface; }
     ProbeWeights weights() const override { return weights_; }
     std::size_t bins(int) const override { return octant_count; }
-    void take_surfels(const SurfelCache& cache, const Spectrum& environment) override;
+    void take_surfels(const SurfelCache& cache) override;
     void update(std::span<const float> previous, std::span<float> next) const override;
     Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
     Spectrum emitted_light(const ReceiverPoint& point) const override;

@@ -37,9 +37,8 @@ class ProbeModel {
     /// Values a probe and channel, where probes have `surfels` rays.
     virtual std::size_t bins(int surfels) const = 0;
 
-    /// Takes in new surfels. They, and `environment`, radiance, stay as they are until the next
-    /// call; `cache` must live on.
-    virtual void take_surfels(const SurfelCache& cache, const Spectrum& environment) = 0;
+    /// Takes in new surfels, which stay as they are until the next call; `cache` must live on.
+    virtual void take_surfels(const SurfelCache& cache) = 0;
     /// One update of all probes.
     virtual void update(std::span<const float> previous, std::span<float> next) const = 0;
 

@@ -55,7 +55,7 @@ void add_sample(const View& view, const Ray& ray, PixelSums& sums) {
     const std::optional<Hit> hit = view.tracer.intersect(ray, BackFaces::Cull);
     sums.note_surface(hit);
     if (!hit) {
-        sums.direct += world.environment;
+        sums.direct += environment_radiance(world, ray.direction);
         return;
     }
     ReceiverPoint point{offset_origin(*hit, hit->n()), hit->n(), hit->albedo};

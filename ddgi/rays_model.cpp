@@ -25,10 +25,9 @@ Spectrum irradiance(const RaySums& sums) {
 
 }  // namespace
 
-void RaysModel::take_surfels(const SurfelCache& cache, const Spectrum& environment) {
-    const bool afresh = cache_ != &cache || environment_ != environment;
+void RaysModel::take_surfels(const SurfelCache& cache) {
+    const bool afresh = cache_ != &cache;
     cache_ = &cache;
-    environment_ = environment;
     const Surfels& surfels = cache.surfels();
     if (afresh) {
         ends_.emplace(probe_count(grid_), rays(), grid_.spacing);
@@ -54,11 +53,10 @@ void RaysModel::take_surfels(const SurfelCache& cache, const Spectrum& environme
 
 void RaysModel::take_surfel(std::size_t surfel) {
     const Surfels& surfels = cache_->surfels();
-    const bool hit = surfels.hit(surfel);
-    const Spectrum emitted = hit ? surfels.emission[surfel] : environment_;
+    const Spectrum emitted = surfels.emission[surfel];
     put(emitted_, surfel, rays(), emitted);
     unfed_[surfel] = emitted;
-    if (!hit) return;
+    if (!surfels.hit(surfel)) return;
     unfed_[surfel] += surfels.albedo[surfel] / glm::pi<float>() * surfels.direct[surfel];
     const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[surfel];
     around_[surfel] =

@@ -27,7 +27,7 @@ class RaysModel final : public ProbeModel {
     Reach reach() const override { return Reach::FirstSurface; }
     ProbeWeights weights() const override { return options_.weights; }
     std::size_t bins(int surfels) const override { return static_cast<std::size_t>(surfels); }
-    void take_surfels(const SurfelCache& cache, const Spectrum& environment) override;
+    void take_surfels(const SurfelCache& cache) override;
     void update(std::span<const float> previous, std::span<float> next) const override;
     Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
     Spectrum emitted_light(const ReceiverPoint& point) const override;
@@ -49,7 +49,6 @@ class RaysModel final : public ProbeModel {
     ProbeGrid grid_;
     ProbeOptions options_;
     const SurfelCache* cache_ = nullptr;
-    Spectrum environment_{0.f};
     std::optional<RayEnds> ends_;
     std::vector<Spectrum> unfed_;          ///< radiance a surfel ray brings without feedback
     std::vector<ProbeNeighbours> around_;  ///< what each surfel gathers from

@@ -124,7 +124,7 @@ std::optional<double> critical_multi_bounce(const Scene& scene, const ProbeVolum
         set[feedback_constant] = intensity;
         const ModelSetup setup =
             make_model(options.model, scene, volume.cache().grid(), set, options.probes);
-        setup.model->take_surfels(volume.cache(), volume.tracer().world().environment);
+        setup.model->take_surfels(volume.cache());
         // The mode of one intensity is a good start for the next.
         return spectral_radius(*setup.model, probe_count(volume.cache().grid()),
                                volume.values().size(), mode)

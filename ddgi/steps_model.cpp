@@ -73,7 +73,7 @@ Reach StepsModel::reach() const {
     return steps_.firstSurface ? Reach::FirstSurface : Reach::OneCell;
 }
 
-void StepsModel::take_surfels(const SurfelCache& cache, const Spectrum&) {
+void StepsModel::take_surfels(const SurfelCache& cache) {
     cache_ = &cache;
     ray_shares_ = shares_of(cache.pattern(), steps_.evenRays);
 }

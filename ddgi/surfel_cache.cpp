@@ -167,6 +167,8 @@ void SurfelCache::place(const RayTracer& tracer, std::size_t surfel) {
     const std::optional<Hit> hit = tracer.intersect(ray_of(surfel), BackFaces::Cull);
     if (!hit) {
         surfels_.distance[surfel] = std::numeric_limits<float>::infinity();
+        surfels_.emission[surfel] =
+            environment_radiance(tracer.world(), surfels_.direction[surfel]);
         surfels_.object[surfel] = -1;
         return;
     }

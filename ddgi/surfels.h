@@ -11,7 +11,8 @@
 namespace plumbline::ddgi {
 
 /// Where the probes' rays met the scene, as a structure of arrays: the surfel of ray r of probe p
-/// is at p * per_probe + r. Of a miss only `direction` and `distance` are meaningful.
+/// is at p * per_probe + r. Of a miss only `direction`, `distance` and
+/// `emission` are meaningful.
 struct Surfels {
     int per_probe = 0;
     std::vector<glm::vec3> direction;  ///< unit, of the probe's ray
@@ -20,7 +21,7 @@ struct Surfels {
     std::vector<glm::vec3> n;          ///< unit normal on the side that was hit
     std::vector<int> object;           ///< index into World::objects; -1 for a miss
     std::vector<Spectrum> albedo;
-    std::vector<Spectrum> emission;  ///< radiance, W m^-2 sr^-1
+    std::vector<Spectrum> emission;  ///< radiance, W m^-2 sr^-1; of a miss, the environment's
     std::vector<Spectrum> direct;    ///< irradiance from the lights, W m^-2
     /// Which probes around it a surfel sees, see seen_probes(); empty if nobody asks.
     std::vector<std::uint8_t> seen;

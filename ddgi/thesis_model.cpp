@@ -33,7 +33,7 @@ ThesisModel::ThesisModel(const ThesisConstants& constants, const ProbeGrid& grid
     }
 }
 
-void ThesisModel::take_surfels(const SurfelCache& cache, const Spectrum&) {
+void ThesisModel::take_surfels(const SurfelCache& cache) {
     cache_ = &cache;
     miss_shares_ = thesis_miss_shares(field());
     lit_.resize(probe_count(grid_) * 3 * octant_count);

@@ -26,7 +26,7 @@ class ThesisModel final : public ProbeModel {
     Reach reach() const override { return Reach::OneCell; }
     bool samples_edges() const override { return false; }
     std::size_t bins(int) const override { return octant_count; }
-    void take_surfels(const SurfelCache& cache, const Spectrum& environment) override;
+    void take_surfels(const SurfelCache& cache) override;
     void update(std::span<const float> previous, std::span<float> next) const override;
     Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
     Spectrum ambient(const Spectrum& albedo) const override { return constants_.ambient * albedo; }

@@ -60,7 +60,7 @@ void ProbeVolume::move_to(int frame) {
     if (!changed && caching_) return;
 
     const Stopwatch lighting;
-    setup_.model->take_surfels(cache_, stage_->world.environment);
+    setup_.model->take_surfels(cache_);
     settled_ = false;
     figures_.light_ms += lighting.ms();
 }

@@ -7,8 +7,10 @@
 
 namespace plumbline::pathtracer {
 
+/// What is aimed at, and met by chance too.
+inline constexpr Effects aimed_at = Effects{} | Effect::EmitterSampling | Effect::EnvironmentImage;
 /// What shadow rays are traced for.
-inline constexpr Effects sampled = any_light | Effect::EmitterSampling;
+inline constexpr Effects sampled = any_light | aimed_at;
 
 /// The share of one technique, of density `pdf`, in the light that another of density `other` finds
 /// too: what each finds, weighted so, adds up to all light.
@@ -50,6 +52,32 @@ inline SampledLight sample_emitters(const PathOptions& options, const glm::vec3&
             aimed_irradiance(options.techniques, sample->Le, sample->cosine, sample->pdf)};
 }
 
+/// Aims at the environment from `origin` on a surface of unit normal `n`, in a scene of this reach.
+/// Draws numbers if there is a picture of it.
+inline SampledLight sample_environment(const PathOptions& options, float reach,
+                                       const glm::vec3& origin, const glm::vec3& n,
+                                       Sampler& sampler) {
+    if (options.environment == nullptr) return {};
+    const EnvironmentMap::Sample sample = options.environment->sample(sampler.next_2d());
+    const float cosine = glm::dot(n, sample.wi);
+    if (!(cosine > 0.f && sample.pdf > 0.f)) return {};
+    return {origin + reach * sample.wi,
+            aimed_irradiance(options.techniques, sample.L, cosine, sample.pdf)};
+}
+
+/// Radiance of the environment that counts for a path that leaves along `wi` after `scatterings`.
+template <Effects F>
+Spectrum met_environment(const World& world, const PathOptions& options, int scatterings,
+                         const LastVertex& last, const glm::vec3& wi) {
+    if constexpr (has(F, Effect::EnvironmentImage)) {
+        const Spectrum L = environment_radiance(world, wi);
+        if (scatterings == 0 || options.environment == nullptr || L == Spectrum(0.f)) return L;
+        return L * share_of_meeting(options.techniques, last, options.environment->pdf(wi));
+    } else {
+        return world.environment;
+    }
+}
+
 /// Radiance of the surface at `hit`, of this emission, that counts for a path that met it after
 /// `scatterings`.
 template <Effects F>
@@ -78,6 +106,9 @@ void sample_direct_light(const World& world, const PathOptions& options, const H
     }
     if constexpr (has(F, Effect::EmitterSampling)) {
         add_lit(sample_emitters(options, hit.position, n, sampler));
+    }
+    if constexpr (has(F, Effect::EnvironmentImage)) {
+        add_lit(sample_environment(options, world.reach, origin, n, sampler));
     }
 }
 

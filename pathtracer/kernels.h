@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 
 #include "pathtracer/lights.h"
 
@@ -9,13 +10,14 @@ namespace plumbline::pathtracer {
 
 /// The sets of effects that the path tracer is compiled for, each before those that cover it.
 /// Plain point lights have kernels of their own; all other lights share theirs. Aiming at emitters
-/// needs emission.
+/// needs emission. A picture of the environment costs so much more than what else a scene may lack
+/// that one kernel serves all scenes that have one.
 inline constexpr auto kernels = [] {
     constexpr std::array lights{Effects{}, Effects{} | Effect::PointLights, any_light};
     constexpr std::array emission{Effects{}, Effects{} | Effect::Emission,
                                   Effects{} | Effect::Emission | Effect::EmitterSampling};
     constexpr std::array environment{Effects{}, Effects{} | Effect::Environment};
-    std::array<Effects, lights.size() * emission.size() * environment.size()> sets{};
+    std::array<Effects, lights.size() * emission.size() * environment.size() + 1> sets{};
     std::size_t i = 0;
     for (const Effects from_lights : lights) {
         for (const Effects from_surfaces : emission) {
@@ -24,7 +26,20 @@ inline constexpr auto kernels = [] {
             }
         }
     }
+    sets[i] = sets[i - 1] | Effect::EnvironmentImage;
     return sets;
 }();
+
+/// Calls `f` with the template argument of the smallest kernel there is for `effects`.
+template <std::size_t kernel = 0, typename Function>
+void with_effects(Effects effects, const Function& f) {
+    if constexpr (kernel < kernels.size()) {
+        constexpr Effects F = kernels[kernel];
+        if (covers(F, effects)) return f.template operator()<F>();
+        with_effects<kernel + 1>(effects, f);
+    } else {
+        assert(!"an effect that the path tracer has no kernel for");
+    }
+}
 
 }  // namespace plumbline::pathtracer

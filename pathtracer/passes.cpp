@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -27,18 +26,6 @@ void set_if_earlier(std::optional<glm::ivec2>& first, const glm::ivec2& at) {
     if (!first || std::pair(at.y, at.x) < std::pair(first->y, first->x)) first = at;
 }
 
-/// Calls `f` with the template argument of the smallest kernel there is for `effects`.
-template <std::size_t kernel = 0, typename Function>
-void with_effects(Effects effects, const Function& f) {
-    if constexpr (kernel < kernels.size()) {
-        constexpr Effects F = kernels[kernel];
-        if (covers(F, effects)) return f.template operator()<F>();
-        with_effects<kernel + 1>(effects, f);
-    } else {
-        assert(!"an effect that the path tracer has no kernel for");
-    }
-}
-
 }  // namespace
 
 struct Passes::TileCounts {
@@ -51,6 +38,7 @@ Passes::Passes(const RayTracer& tracer, Effects effects, const PathOptions& opti
     : tracer_(tracer),
       effects_(effects),
       emitters_(has(effects, Effect::EmitterSampling) ? new Emitters(tracer.world()) : nullptr),
+      environment_(tracer.world().environment_image ? new EnvironmentMap(tracer.world()) : nullptr),
       options_(options),
       seed_(seed),
       camera_rays_(tracer.world().camera),
@@ -59,6 +47,7 @@ Passes::Passes(const RayTracer& tracer, Effects effects, const PathOptions& opti
       tiles_(all_tiles_.of(shard)) {
     const Camera& camera = tracer.world().camera;
     if (emitters_ && !emitters_->empty()) options_.emitters = emitters_.get();
+    options_.environment = environment_.get();
     gathered_.pixels.resize(std::size_t(camera.width) * std::size_t(camera.height));
 }
 

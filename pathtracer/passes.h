@@ -82,7 +82,8 @@ class Passes {
 
     const RayTracer& tracer_;
     Effects effects_;
-    std::unique_ptr<const Emitters> emitters_;  ///< null unless the effects aim at them
+    std::unique_ptr<const Emitters> emitters_;           ///< null unless the effects aim at them
+    std::unique_ptr<const EnvironmentMap> environment_;  ///< null without a picture of it
     PathOptions options_;
     std::uint64_t seed_;
     CameraRays camera_rays_;

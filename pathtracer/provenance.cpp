@@ -26,6 +26,9 @@ std::uint64_t digest_of(Scene scene) {
         name_only.name = std::move(mesh.name);
         mesh = std::move(name_only);
     }
+    if (scene.environment_image) {
+        digest.add(std::span<const Spectrum>(scene.environment_image->panorama->radiance));
+    }
     scene.camera.width = scene.camera.height = 1;
     digest.add(json_of(scene).dump());
     return digest.value();

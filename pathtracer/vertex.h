@@ -71,9 +71,9 @@ inline bool survives_roulette(Walk& walk, const PathOptions& options) {
 /// the way on. False if the path ends here.
 ///
 /// Unbiased for the radiance that is scattered at most `options.max_scatterings` times.
-/// Lights are sampled at every surface, and emitters with Effect::EmitterSampling; emission and
-/// environment count where a path meets them. Code for an effect outside F is compiled out; F must
-/// cover effects_of() the scene.
+/// Lights are sampled at every surface, emitters with Effect::EmitterSampling, and the environment
+/// with Effect::EnvironmentImage; emission and environment count where a path meets them. Code for
+/// an effect outside F is compiled out; F must cover effects_of() the scene.
 template <Effects F>
 bool shade_vertex(const World& world, const PathOptions& options, int scatterings,
                   const std::optional<Hit>& hit, Ray& ray, Walk& walk, Path& path,
@@ -81,7 +81,8 @@ bool shade_vertex(const World& world, const PathOptions& options, int scattering
     constexpr bool surfaces_or_sky_shine = has(F, Effect::Emission) || has(F, Effect::Environment);
     if (!hit) {
         if constexpr (has(F, Effect::Environment)) {
-            path.add(scatterings, walk.beta * world.environment);
+            path.add(scatterings, walk.beta * met_environment<F>(world, options, scatterings,
+                                                                 walk.last, ray.direction));
         }
         return false;
     }
@@ -103,7 +104,7 @@ bool shade_vertex(const World& world, const PathOptions& options, int scattering
 
     // Cosine-weighted sampling cancels f cos(theta) / pdf = (rho/pi) cos / (cos/pi) to rho.
     ray = {origin, sample_cosine_hemisphere(walk.sampler.next_2d(), n)};
-    if constexpr (has(F, Effect::EmitterSampling)) {
+    if constexpr (has_any(F, aimed_at)) {
         walk.last = {hit->position, n, pdf_cosine_hemisphere(glm::dot(n, ray.direction))};
     }
     walk.beta *= hit->albedo;

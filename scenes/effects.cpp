@@ -131,6 +131,20 @@ EffectReason environment(const Scene& scene) {
     return {"environment", true, "it shines on rays that leave the scene"};
 }
 
+EffectReason environment_image(const Scene& scene) {
+    const std::string name = "aiming at the environment";
+    if (dark(scene.environment)) return {name, false, "it is black"};
+    if (!scene.environment_image) {
+        return {name, false, "it is alike all around: scattered paths leave in proportion to it"};
+    }
+    const Panorama& panorama = *scene.environment_image->panorama;
+    return {
+        name, true,
+        fmt::format("a picture of {} x {} pixels: paths aim at the bright ones too, by multiple "
+                    "importance sampling",
+                    panorama.width, panorama.height)};
+}
+
 EffectReason animation(const Scene& scene) {
     const auto moving =
         std::count_if(scene.objects.begin(), scene.objects.end(),
@@ -178,6 +192,7 @@ Effects effects_of(const Scene& scene) {
     if (emitting_materials(scene) > 0) effects = effects | Effect::Emission;
     if (emitter_sampling(scene).simulated) effects = effects | Effect::EmitterSampling;
     if (!dark(scene.environment)) effects = effects | Effect::Environment;
+    if (environment_image(scene).simulated) effects = effects | Effect::EnvironmentImage;
     return effects;
 }
 
@@ -189,6 +204,7 @@ std::vector<EffectReason> effect_reasons(const Scene& scene) {
             emission(scene),
             emitter_sampling(scene),
             environment(scene),
+            environment_image(scene),
             interreflection(scene),
             two_sided(scene),
             vertex_albedo(scene),

@@ -17,7 +17,8 @@ enum class Effect : unsigned {
     SphereLights = 1u << 3,  ///< point lights with a radius
     SpotLights = 1u << 4,
     DirectionalLights = 1u << 5,
-    EmitterSampling = 1u << 6,  ///< aiming at surfaces that emit
+    EmitterSampling = 1u << 6,   ///< aiming at surfaces that emit
+    EnvironmentImage = 1u << 7,  ///< of unlike pixels, aimed at
 };
 
 /// A set of Effect, usable as a template argument.

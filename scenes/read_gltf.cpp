@@ -24,10 +24,11 @@ std::optional<JsonView> scene_shown(const JsonView& root) {
 }
 
 /// What the scene's own extras say, in the words of the JSON format.
-void read_scene_extras(const JsonView& extras, GltfBeingRead& gltf) {
+void read_scene_extras(const JsonView& extras, const std::filesystem::path& folder,
+                       GltfBeingRead& gltf) {
     extras.expect_keys({"description", "units", "environment", "frames", "report_frame",
                         "frames_per_second", "probes", "thesis"});
-    read_settings(extras, gltf.scene);
+    read_settings(extras, folder, gltf.scene);
     gltf.frames_given = extras.find("frames").has_value();
 }
 
@@ -88,7 +89,8 @@ Scene read_gltf_scene(const std::filesystem::path& path) {
     gltf.scene.name = path.stem().string();
     if (const auto shown = scene_shown(gltf.root)) {
         if (const auto name = shown->find("name")) gltf.scene.name = name->text();
-        if (const auto extras = plumbline_extras(*shown)) read_scene_extras(*extras, gltf);
+        if (const auto extras = plumbline_extras(*shown))
+            read_scene_extras(*extras, path.parent_path(), gltf);
     }
     for (const JsonView& used : gltf.root.items("extensionsUsed")) {
         const std::string name = used.text();

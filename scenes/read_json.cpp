@@ -34,7 +34,7 @@ void read_parts(const JsonView& root, SceneBeingRead& into) {
     if (const auto list = root.find("objects")) read_objects(*list, into);
     if (const auto list = root.find("lights")) read_lights(*list, into);
     scene.camera = read_camera(root.at("camera"));
-    read_settings(root, scene);
+    read_settings(root, into.folder, scene);
 }
 
 /// Places in a JSON file: pointers, which differ from the scene's own indices where objects were

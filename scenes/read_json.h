@@ -60,7 +60,8 @@ ProbeGrid read_probes(const JsonView& probes);
 ThesisConstants read_thesis(const JsonView& thesis);
 
 /// Reads what a scene says of itself as a whole: "description", "units", "environment", "frames",
-/// "report_frame", "frames_per_second", "probes" and "thesis", each if it is there.
-void read_settings(const JsonView& item, Scene& scene);
+/// "report_frame", "frames_per_second", "probes" and "thesis", each if it is there. Files are
+/// looked up in `folder`.
+void read_settings(const JsonView& item, const std::filesystem::path& folder, Scene& scene);
 
 }  // namespace plumbline

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <glm/trigonometric.hpp>
 
+#include "scenes/input_files.h"
 #include "scenes/nearest_name.h"
 #include "scenes/read_json.h"
 #include "scenes/scene_checks.h"
@@ -28,6 +29,23 @@ Track<T> read_track(const JsonView& item, const ReadValue& read_value) {
         track.values.push_back(read_value(value));
     }
     return track;
+}
+
+/// One radiance all around, or a picture.
+void read_environment(const JsonView& item, const std::filesystem::path& folder, Scene& scene) {
+    if (!item.is_object()) {
+        scene.environment = item.vec3_or_number();
+        return;
+    }
+    item.expect_keys({"image", "radiance", "rotation"});
+    const JsonView image = item.at("image");
+    const std::filesystem::path file = file_inside(folder, image.text(), image);
+    scene.environment_image = EnvironmentImage{std::make_shared<Panorama>(read_panorama(file))};
+    const auto radiance = item.find("radiance");
+    scene.environment = radiance ? radiance->vec3_or_number() : Spectrum(1.f);
+    if (const auto degrees = item.find("rotation")) {
+        scene.environment_image->rotation = static_cast<float>(glm::radians(degrees->number()));
+    }
 }
 
 }  // namespace
@@ -95,11 +113,11 @@ ThesisConstants read_thesis(const JsonView& item) {
     return thesis;
 }
 
-void read_settings(const JsonView& item, Scene& scene) {
+void read_settings(const JsonView& item, const std::filesystem::path& folder, Scene& scene) {
     if (const auto text = item.find("description")) scene.description = text->text();
     if (const auto units = item.find("units")) scene.length_unit = units->text();
-    if (const auto radiance = item.find("environment")) {
-        scene.environment = radiance->vec3_or_number();
+    if (const auto environment = item.find("environment")) {
+        read_environment(*environment, folder, scene);
     }
     if (const auto frames = item.find("frames")) scene.frames = frames->integer(1, max_frames);
     if (const auto frame = item.find("report_frame")) {

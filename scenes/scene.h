@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "scenes/geometry.h"
+#include "scenes/panorama.h"
 #include "scenes/transform.h"
 
 namespace plumbline {
@@ -122,6 +124,16 @@ struct DirectionalLight {
     bool operator==(const DirectionalLight&) const = default;
 };
 
+/// A picture of the environment, turned about the vertical.
+struct EnvironmentImage {
+    std::shared_ptr<const Panorama> panorama;  ///< never null
+    float rotation = 0.f;                      ///< radians about +y, from +z towards +x
+    bool operator==(const EnvironmentImage& other) const;
+
+    /// `direction`, turned by `angle` like the picture.
+    static glm::vec3 turned(const glm::vec3& direction, float angle);
+};
+
 /// A pinhole camera; `up` need not be perpendicular to the view.
 struct Camera {
     glm::vec3 eye{0.f, 0.f, 5.f};
@@ -162,7 +174,9 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<PointLight> lights;
     std::vector<DirectionalLight> directional_lights;
-    Spectrum environment{0.f};  ///< radiance of rays that leave the scene, W m^-2 sr^-1
+    /// Radiance of rays that leave the scene, W m^-2 sr^-1; if there is a picture, its multiple.
+    Spectrum environment{0.f};
+    std::optional<EnvironmentImage> environment_image;
     Camera camera;
     int report_frame = 0;  ///< the frame that shows what the scene is about; in [0, frames)
     int frames = 1;

@@ -129,7 +129,11 @@ void check_scene(const Scene& scene, const PlaceOf& place_of) {
     check_meshes(scene, place_of);
     check_objects(scene, place_of);
     check_lights(scene, place_of);
-    Checked(place_of, "environment").expect_not_negative("", scene.environment);
+    const Checked environment(place_of, "environment");
+    environment.expect_not_negative("", scene.environment);
+    if (scene.environment_image) {
+        environment.expect_finite("rotation", scene.environment_image->rotation);
+    }
     check_camera(scene.camera, place_of);
     check_frames(scene, place_of);
     if (scene.probes) check_probes(*scene.probes, place_of);

@@ -10,6 +10,7 @@
 #include "scenes/nearest_name.h"
 #include "scenes/read_gltf.h"
 #include "scenes/read_json.h"
+#include "scenes/whole_file.h"
 #include "scenes/write_gltf.h"
 #include "scenes/write_json.h"
 
@@ -21,6 +22,16 @@ namespace {
 
 std::string scene_name(const EmbeddedFile& file) {
     return std::filesystem::path(file.name).stem().string();
+}
+
+/// Puts the pictures that a scene file names beside it.
+void copy_pictures(const Scene& scene, const std::filesystem::path& folder) {
+    if (!scene.environment_image) return;
+    const std::filesystem::path& from = scene.environment_image->panorama->file;
+    const std::filesystem::path to = std::filesystem::absolute(folder) / from.filename();
+    std::error_code missing;
+    if (std::filesystem::equivalent(from, to, missing)) return;
+    write_text(to, read_bytes(from));
 }
 
 }  // namespace
@@ -50,6 +61,7 @@ Scene load_scene(const std::string& name_or_path) {
 
 void save_scene(const Scene& scene, const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
+    if (ending == ".json" || ending == ".gltf") copy_pictures(scene, path.parent_path());
     if (ending == ".json") return write_json_scene(scene, path);
     if (ending == ".gltf") return write_gltf_scene(scene, path);
     throw UsageError(path.string(), "scenes are not written as " + in_quotes(ending),

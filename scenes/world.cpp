@@ -105,6 +105,7 @@ World world_at(const Scene& scene, int frame) {
         light.direction = unit(light.direction);
     }
     world.environment = scene.environment;
+    world.environment_image = scene.environment_image;
     world.camera = scene.camera;
     world.objects.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {

@@ -40,7 +40,8 @@ struct World {
     std::vector<Material> materials;
     std::vector<PointLight> lights;                    ///< cones along unit directions
     std::vector<DirectionalLight> directional_lights;  ///< unit directions
-    Spectrum environment{0.f};
+    Spectrum environment{0.f};                         ///< see Scene::environment
+    std::optional<EnvironmentImage> environment_image;
     Camera camera;
     float reach = 1.f;  ///< farther than any two points of surfaces are apart
 
@@ -50,6 +51,9 @@ struct World {
 
 /// The world at `frame`. Throws SceneError if a sphere is scaled unevenly.
 World world_at(const Scene& scene, int frame);
+
+/// Radiance of a ray that leaves the scene in the unit `direction`, W m^-2 sr^-1.
+Spectrum environment_radiance(const World& world, const glm::vec3& direction);
 
 /// The grid of the scene, or one laid over the bounds of its first frame: twelve cells along the
 /// longest axis, and half a cell or more of margin on every side.

@@ -145,6 +145,14 @@ OrderedJson light_json(const DirectionalLight& light) {
             {"irradiance", shortest(light.irradiance)}};
 }
 
+OrderedJson environment_json(const Scene& scene) {
+    if (!scene.environment_image) return shortest(scene.environment);
+    const EnvironmentImage& image = *scene.environment_image;
+    return {{"image", image.panorama->file.filename().string()},
+            {"radiance", shortest(scene.environment)},
+            {"rotation", shortest_degrees(image.rotation)}};
+}
+
 OrderedJson camera_json(const Camera& camera) {
     return {{"eye", shortest(camera.eye)}, {"target", shortest(camera.target)},
             {"up", shortest(camera.up)},   {"vertical_fov", shortest_degrees(camera.vertical_fov)},
@@ -199,7 +207,7 @@ OrderedJson settings_json(const Scene& scene) {
     for (const DirectionalLight& light : scene.directional_lights) {
         json["lights"].push_back(light_json(light));
     }
-    json["environment"] = shortest(scene.environment);
+    json["environment"] = environment_json(scene);
     json["camera"] = camera_json(scene.camera);
     json["frames"] = scene.frames;
     json["report_frame"] = scene.report_frame;

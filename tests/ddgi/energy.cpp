@@ -143,3 +143,20 @@ TEST_CASE("no probe holds more radiance than its brightest source allows", "[ddg
     CHECK(largest > 0.f);
     CHECK(largest <= .9f / (1.f - .9f));
 }
+
+TEST_CASE("a picture of the environment that is even gives the light of an even environment",
+          "[ddgi]") {
+    Scene scene = room_with_moving_block();
+    scene.objects.erase(scene.objects.begin());  // a wall
+    scene.environment = {3.f, 2.f, 1.f};
+    const Image plain = render(scene, 0, {}).image;
+    auto panorama = std::make_shared<Panorama>();
+    panorama->width = 4;
+    panorama->height = 2;
+    panorama->radiance.assign(8, Spectrum(1.f));
+    scene.environment_image = EnvironmentImage{panorama};
+    CHECK(same_bytes(plain, render(scene, 0, {}).image));
+    // Light from one side alone reaches the probes too.
+    panorama->radiance.assign(8, Spectrum(0.f));
+    CHECK(mean(render(scene, 0, {}).image, "indirect") < mean(plain, "indirect"));
+}

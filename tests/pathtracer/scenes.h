@@ -9,7 +9,8 @@
 namespace plumbline::pathtracer::test {
 
 inline constexpr Effects all_effects =
-    any_light | Effect::Emission | Effect::EmitterSampling | Effect::Environment;
+    any_light | Effect::Emission | Effect::EmitterSampling | Effect::Environment |
+    Effect::EnvironmentImage;
 
 inline int add_material(Scene& scene, const Spectrum& albedo, const Spectrum& emission = {}) {
     scene.materials.push_back({.name = "material", .albedo = albedo, .emission = emission});
