@@ -20,11 +20,16 @@ std::uint64_t digest_of(Scene scene) {
         // As numbers: millions of triangles make a long text.
         digest.add(std::span<const glm::vec3>(mesh.positions));
         digest.add(std::span<const Spectrum>(mesh.vertex_albedo));
+        digest.add(std::span<const glm::vec2>(mesh.texcoords));
         digest.add(std::span<const glm::uvec3>(mesh.triangles));
         digest.add(std::span<const int>(mesh.triangle_materials));
         Mesh name_only;
         name_only.name = std::move(mesh.name);
         mesh = std::move(name_only);
+    }
+    for (const Material& material : scene.materials) {
+        if (!material.texture) continue;
+        digest.add(std::span<const Spectrum>(material.texture->picture->albedo));
     }
     if (scene.environment_image) {
         digest.add(std::span<const Spectrum>(scene.environment_image->panorama->radiance));

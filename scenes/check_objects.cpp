@@ -97,6 +97,11 @@ struct ShapeCheck {
 
     void expect_material(std::string_view member, int material) const {
         checked.expect_index(member, material, scene.materials.size(), "material");
+        const Material& of_shape = scene.materials[std::size_t(material)];
+        if (!of_shape.texture) return;
+        checked.fail(member,
+                     in_quotes(of_shape.name) + " has a texture, and this shape no place for it",
+                     "use a mesh with \"texcoords\"");
     }
 };
 

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include "scenes/check_parts.h"
+#include "scenes/nearest_name.h"
 
 namespace plumbline {
 namespace {
 
-void check_mesh(const Mesh& mesh, std::size_t materials, const Checked& checked) {
+void check_mesh(const Mesh& mesh, const std::vector<Material>& all, const Checked& checked) {
+    const std::size_t materials = all.size();
     if (mesh.triangles.empty()) checked.fail("triangles", "is empty", "a mesh has triangles");
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         if (finite(mesh.positions[i])) continue;
@@ -24,6 +26,16 @@ void check_mesh(const Mesh& mesh, std::size_t materials, const Checked& checked)
         if (!(min_component(albedo) >= 0.f && max_component(albedo) <= 1.f)) {
             checked.expect_albedo(fmt::format("vertex_albedo/{}", i), albedo);
         }
+    }
+    if (!mesh.texcoords.empty() && mesh.texcoords.size() != mesh.positions.size()) {
+        checked.fail("texcoords",
+                     fmt::format("has {} entries for {} positions", mesh.texcoords.size(),
+                                 mesh.positions.size()),
+                     "give one a position, or none");
+    }
+    for (std::size_t i = 0; i < mesh.texcoords.size(); ++i) {
+        if (finite(mesh.texcoords[i].x) && finite(mesh.texcoords[i].y)) continue;
+        checked.fail(fmt::format("texcoords/{}", i), "is not finite", "write finite numbers");
     }
     if (mesh.triangle_materials.size() != mesh.triangles.size()) {
         checked.fail("triangle_materials",
@@ -43,6 +55,12 @@ void check_mesh(const Mesh& mesh, std::size_t materials, const Checked& checked)
         if (material < 0 || std::size_t(material) >= materials) {
             checked.expect_index(fmt::format("triangle_materials/{}", i), material, materials,
                                  "material");
+        }
+        if (mesh.texcoords.empty() && all[std::size_t(material)].texture) {
+            checked.fail("texcoords",
+                         "are missing, but material " + in_quotes(all[std::size_t(material)].name) +
+                             " has a texture",
+                         "give one a position");
         }
     }
 }
@@ -65,7 +83,7 @@ void check_meshes(const Scene& scene, const PlaceOf& place_of) {
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         const Checked checked(place_of, "meshes", i);
         checked.expect_new_name(scene.meshes[i].name, names);
-        check_mesh(scene.meshes[i], scene.materials.size(), checked);
+        check_mesh(scene.meshes[i], scene.materials, checked);
     }
 }
 

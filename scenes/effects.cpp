@@ -155,6 +155,16 @@ EffectReason animation(const Scene& scene) {
             counted(static_cast<std::size_t>(moving), "object") + " with keyframes"};
 }
 
+EffectReason textures(const Scene& scene) {
+    const auto count =
+        std::count_if(scene.materials.begin(), scene.materials.end(),
+                      [](const Material& material) { return material.texture.has_value(); });
+    if (count == 0) return {"textures", false, "no material has one"};
+    return {"textures", true,
+            fmt::format("{} {} a picture of albedo", count,
+                        count == 1 ? "material has" : "materials have")};
+}
+
 EffectReason vertex_albedo(const Scene& scene) {
     const auto coloured =
         std::count_if(scene.meshes.begin(), scene.meshes.end(),
@@ -208,6 +218,7 @@ std::vector<EffectReason> effect_reasons(const Scene& scene) {
             interreflection(scene),
             two_sided(scene),
             vertex_albedo(scene),
+            textures(scene),
             animation(scene)};
 }
 

@@ -81,11 +81,13 @@ inline Hit EmbreeScene::triangle_hit(const WorldMesh& mesh, const Found& found) 
     hit.position_error = position_error(
         glm::max(largest_coordinate(a), glm::max(largest_coordinate(b), largest_coordinate(c))));
     hit.ng = glm::normalize(found.ng);
-    hit.albedo = world_.materials[static_cast<std::size_t>(hit.material)].albedo;
-    if (!mesh.vertex_albedo.empty()) {
-        hit.albedo *= (1.f - u - v) * mesh.vertex_albedo[triangle.x] +
-                      u * mesh.vertex_albedo[triangle.y] + v * mesh.vertex_albedo[triangle.z];
-    }
+    const Material& material = world_.materials[static_cast<std::size_t>(hit.material)];
+    hit.albedo = material.albedo;
+    const auto between_corners = [&](const auto& values) {
+        return (1.f - u - v) * values[triangle.x] + u * values[triangle.y] + v * values[triangle.z];
+    };
+    if (!mesh.vertex_albedo.empty()) hit.albedo *= between_corners(mesh.vertex_albedo);
+    if (material.texture) hit.albedo *= material.texture->at(between_corners(mesh.texcoords));
     return hit;
 }
 

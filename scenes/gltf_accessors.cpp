@@ -131,6 +131,13 @@ const char* GltfAccessors::first_byte(const JsonView& view_reference, std::size_
     return buffer.data() + start + offset;
 }
 
+std::string GltfAccessors::view_bytes(const JsonView& reference) const {
+    const JsonView& view = views_[std::size_t(reference.index(views_.size(), "bufferView"))];
+    const auto length = static_cast<std::size_t>(view.at("byteLength").integer(1));
+    std::size_t stride = 1;
+    return {first_byte(reference, 0, length, 1, stride), length};
+}
+
 void GltfAccessors::spend(const JsonView& reference, std::size_t values) {
     if (values > budget_) {
         reference.fail("the file asks for far more numbers than it holds",

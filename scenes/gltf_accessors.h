@@ -30,6 +30,9 @@ class GltfAccessors {
     /// Unsigned integers of 8, 16 or 32 bits.
     std::vector<std::uint32_t> indices(const JsonView& reference);
 
+    /// All bytes of the view that a place refers to.
+    std::string view_bytes(const JsonView& reference) const;
+
     /// Which accessor a place refers to.
     int index(const JsonView& reference) const {
         return reference.index(accessors_.size(), "accessor");

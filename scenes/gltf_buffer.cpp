@@ -40,6 +40,11 @@ int GltfBuffer::add_vertices(const std::vector<glm::vec3>& values) {
     return accessor;
 }
 
+int GltfBuffer::add_vertices(const std::vector<glm::vec2>& values) {
+    return add(values.data(), values.size() * sizeof(glm::vec2), values.size(), "VEC2",
+               component_float, vertices);
+}
+
 int GltfBuffer::add_times(const std::vector<float>& values) {
     const int accessor = add(values.data(), values.size() * sizeof(float), values.size(), "SCALAR",
                              component_float, keyframes);

@@ -14,6 +14,7 @@ class GltfBuffer {
  public:
     /// Appends an array and returns the index of its accessor.
     int add_vertices(const std::vector<glm::vec3>& values);
+    int add_vertices(const std::vector<glm::vec2>& values);
     int add_times(const std::vector<float>& values);
     int add_vectors(const std::vector<glm::vec3>& values);
     int add_rotations(const std::vector<glm::quat>& values);

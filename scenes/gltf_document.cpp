@@ -65,19 +65,6 @@ Chunks split_glb(const std::string& bytes, const std::string& source) {
     return chunks;
 }
 
-std::string load_uri(const JsonView& uri, const std::filesystem::path& folder) {
-    std::string text = uri.text();
-    if (!tinygltf::IsDataURI(text))
-        return read_bytes(file_inside(folder, percent_decoded(text), uri));
-    std::vector<unsigned char> bytes;
-    std::string mime_type;
-    if (!tinygltf::DecodeDataURI(&bytes, mime_type, text, 0, false)) {
-        uri.fail("is a data URI that cannot be decoded",
-                 "write \"data:application/octet-stream;base64,\" and base64 text");
-    }
-    return {bytes.begin(), bytes.end()};
-}
-
 std::vector<std::string> load_buffers(const JsonView& root, std::optional<std::string>& binary,
                                       const std::filesystem::path& folder) {
     std::vector<std::string> buffers;
@@ -119,6 +106,19 @@ void check_version(const JsonView& root) {
 }
 
 }  // namespace
+
+std::string load_uri(const JsonView& uri, const std::filesystem::path& folder) {
+    std::string text = uri.text();
+    if (!tinygltf::IsDataURI(text))
+        return read_bytes(file_inside(folder, percent_decoded(text), uri));
+    std::vector<unsigned char> bytes;
+    std::string mime_type;
+    if (!tinygltf::DecodeDataURI(&bytes, mime_type, text, 0, false)) {
+        uri.fail("is a data URI that cannot be decoded",
+                 "write \"data:application/octet-stream;base64,\" and base64 text");
+    }
+    return {bytes.begin(), bytes.end()};
+}
 
 GltfDocument open_gltf(const std::filesystem::path& path) {
     const std::string source = path.string();

@@ -15,6 +15,10 @@ struct GltfDocument {
     std::vector<std::string> buffers;
 };
 
+/// The bytes of a data URI, or of a file named relative to `folder`. Throws SceneError if they
+/// cannot be had, or the file is not in the folder.
+std::string load_uri(const JsonView& uri, const std::filesystem::path& folder);
+
 /// Opens a .gltf with its buffers, embedded or beside it, or a .glb. Throws SceneError if anything
 /// is missing, cut off, of another version, or needs an extension that is not supported.
 ///

@@ -44,6 +44,11 @@ OrderedJson gltf_material(const Material& material) {
     return json;
 }
 
+OrderedJson gltf_sampler(const Texture& texture) {
+    return {{"wrapS", gltf_wraps[std::size_t(texture.wrap_u)]},
+            {"wrapT", gltf_wraps[std::size_t(texture.wrap_v)]}};
+}
+
 OrderedJson shape_extras(const Box& box) {
     return {{"box",
              {{"lower", shortest(box.lower)},

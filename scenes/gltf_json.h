@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "scenes/write_json.h"
 
 namespace plumbline {
@@ -18,6 +20,10 @@ OrderedJson gltf_light(const std::string& name, const char* type, const Spectrum
 glm::quat rotation_towards(const glm::vec3& direction);
 
 OrderedJson gltf_material(const Material& material);
+/// How a texture goes on beyond its picture.
+OrderedJson gltf_sampler(const Texture& texture);
+/// The number that stands for a wrap, by Wrap's order [glTF 2.0, section 5.26].
+inline constexpr std::array gltf_wraps{10497, 33648, 33071};
 
 /// The exact shape that a mesh stands for, for the mesh's extras.
 OrderedJson shape_extras(const Box& box);

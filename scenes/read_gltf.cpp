@@ -56,8 +56,9 @@ std::string UniqueNames::operator()(const JsonView& item, const std::string& fal
     return unique;
 }
 
-GltfBeingRead::GltfBeingRead(const GltfDocument& document)
-    : root(document.json),
+GltfBeingRead::GltfBeingRead(const GltfDocument& document, const std::filesystem::path& folder_)
+    : folder(folder_),
+      root(document.json),
       accessors(document),
       nodes(root.items("nodes")),
       cameras(root.items("cameras")),
@@ -85,7 +86,7 @@ std::optional<JsonView> extension(const JsonView& item, const std::string& name)
 
 Scene read_gltf_scene(const std::filesystem::path& path) {
     const GltfDocument document = open_gltf(path);
-    GltfBeingRead gltf(document);
+    GltfBeingRead gltf(document, path.parent_path());
     gltf.scene.name = path.stem().string();
     if (const auto shown = scene_shown(gltf.root)) {
         if (const auto name = shown->find("name")) gltf.scene.name = name->text();

@@ -30,13 +30,15 @@ class UniqueNames {
 
 /// A glTF file while it is read.
 struct GltfBeingRead {
-    explicit GltfBeingRead(const GltfDocument& document);
+    GltfBeingRead(const GltfDocument& document, const std::filesystem::path& folder);
 
+    std::filesystem::path folder;  ///< of the file
     JsonView root;
     GltfAccessors accessors;
     std::vector<JsonView> nodes;
     std::vector<JsonView> lights;
     std::vector<JsonView> cameras;
+    std::map<int, std::shared_ptr<const Picture>> pictures;  ///< read so far, by "images"
     Scene scene;
 
     /// What a node shows, for each mesh of the file.
@@ -56,6 +58,9 @@ struct GltfBeingRead {
     /// Adds a line to Scene::not_simulated unless it stands there.
     void note(const std::string& line);
 };
+
+/// What a "baseColorTexture" refers to: a picture beside the file or within it.
+Texture read_gltf_texture(const JsonView& reference, GltfBeingRead& gltf);
 
 /// The object under "extras"/"plumbline", if any.
 std::optional<JsonView> plumbline_extras(const JsonView& item);

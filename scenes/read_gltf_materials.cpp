@@ -24,7 +24,9 @@ void read_reflection(const JsonView& pbr, Material& material, GltfBeingRead& glt
         material.albedo = scaled(base->numbers(4), 1.);
     }
     const std::string who = "material " + in_quotes(material.name) + ": ";
-    if (pbr.find("baseColorTexture")) gltf.note(who + "base colour texture");
+    if (const auto texture = pbr.find("baseColorTexture")) {
+        material.texture = read_gltf_texture(*texture, gltf);
+    }
     if (const double metallic = number_or(pbr, "metallicFactor", 1.); metallic != 0.) {
         gltf.note(who + fmt::format("metallic reflection ({:g}): the surface is taken as matt",
                                     metallic));

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <utility>
 
 #include "scenes/read_gltf.h"
 
@@ -22,8 +22,8 @@ struct Vertices {
 /// A mesh while its primitives are joined; primitives that share vertices keep sharing them.
 struct MeshBeingRead {
     Mesh mesh;
-    /// By their accessors: positions, and colours or -1.
-    std::map<std::pair<int, int>, Vertices> vertices;
+    /// By their accessors: positions, and colours and texture coordinates or -1.
+    std::map<std::array<int, 3>, Vertices> vertices;
 };
 
 void add_albedo(const JsonView& colours, MeshBeingRead& into, std::size_t first,
@@ -40,13 +40,30 @@ void add_albedo(const JsonView& colours, MeshBeingRead& into, std::size_t first,
     for (std::size_t i = 0; i < values.count(); ++i) mesh.vertex_albedo.push_back(values.vec3(i));
 }
 
+void add_texcoords(const JsonView& places, MeshBeingRead& into, std::size_t first,
+                   GltfBeingRead& gltf) {
+    Mesh& mesh = into.mesh;
+    const auto values = gltf.accessors.floats(places, {"VEC2"});
+    if (values.count() != mesh.positions.size() - first) {
+        places.fail(fmt::format("has {} texture coordinates for {} positions", values.count(),
+                                mesh.positions.size() - first),
+                    "give one a position");
+    }
+    mesh.texcoords.resize(first, glm::vec2(0.f));
+    for (std::size_t i = 0; i < values.count(); ++i) {
+        mesh.texcoords.emplace_back(values.numbers[2 * i], values.numbers[2 * i + 1]);
+    }
+}
+
 /// The primitive's vertices, which are added unless they are there.
 Vertices vertices_of(const JsonView& attributes, MeshBeingRead& into, GltfBeingRead& gltf) {
     Mesh& mesh = into.mesh;
     const JsonView positions = attributes.at("POSITION");
     const auto colours = attributes.find("COLOR_0");
-    const std::pair key(gltf.accessors.index(positions),
-                        colours ? gltf.accessors.index(*colours) : -1);
+    const auto texcoords = attributes.find("TEXCOORD_0");
+    const std::array key{gltf.accessors.index(positions),
+                         colours ? gltf.accessors.index(*colours) : -1,
+                         texcoords ? gltf.accessors.index(*texcoords) : -1};
     if (const auto known = into.vertices.find(key); known != into.vertices.end()) {
         return known->second;
     }
@@ -57,6 +74,11 @@ Vertices vertices_of(const JsonView& attributes, MeshBeingRead& into, GltfBeingR
         add_albedo(*colours, into, vertices.first, gltf);
     } else if (!mesh.vertex_albedo.empty()) {
         mesh.vertex_albedo.resize(mesh.positions.size(), Spectrum(1.f));
+    }
+    if (texcoords) {
+        add_texcoords(*texcoords, into, vertices.first, gltf);
+    } else if (!mesh.texcoords.empty()) {
+        mesh.texcoords.resize(mesh.positions.size(), glm::vec2(0.f));
     }
     into.vertices.emplace(key, vertices);
     return vertices;

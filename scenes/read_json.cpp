@@ -11,10 +11,13 @@ namespace {
 
 void read_materials(const JsonView& list, SceneBeingRead& into) {
     for (const JsonView& item : list.items()) {
-        item.expect_keys({"name", "albedo", "emission", "two_sided"});
+        item.expect_keys({"name", "albedo", "texture", "emission", "two_sided"});
         Material material;
         material.name = item.at("name").text();
-        material.albedo = item.at("albedo").vec3_or_number();
+        const auto texture = item.find("texture");
+        if (texture) material.texture = read_texture(*texture, into.folder);
+        const auto albedo = texture ? item.find("albedo") : item.at("albedo");
+        material.albedo = albedo ? albedo->vec3_or_number() : Spectrum(1.f);
         if (const auto emission = item.find("emission")) {
             material.emission = emission->vec3_or_number();
         }

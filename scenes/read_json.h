@@ -54,6 +54,8 @@ void read_object_mesh(const JsonView& mesh, SceneBeingRead& into);
 void read_mesh_file(const JsonView& mesh, SceneBeingRead& into);
 
 Transform read_transform(const JsonView& object);
+/// The name of a picture, or {"image", "wrap"}.
+Texture read_texture(const JsonView& texture, const std::filesystem::path& folder);
 Animation read_animation(const JsonView& animation);
 Camera read_camera(const JsonView& camera);
 ProbeGrid read_probes(const JsonView& probes);

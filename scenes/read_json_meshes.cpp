@@ -13,6 +13,12 @@ void read_positions(const JsonView& item, Mesh& mesh) {
     if (const auto albedo = item.find("vertex_albedo")) {
         for (const JsonView& value : albedo->items()) mesh.vertex_albedo.push_back(value.vec3());
     }
+    if (const auto texcoords = item.find("texcoords")) {
+        for (const JsonView& value : texcoords->items()) {
+            const auto uv = value.numbers(2);
+            mesh.texcoords.emplace_back(static_cast<float>(uv[0]), static_cast<float>(uv[1]));
+        }
+    }
 }
 
 void read_triangles(const JsonView& item, const SceneBeingRead& read, Mesh& mesh) {
@@ -37,8 +43,8 @@ void read_triangles(const JsonView& item, const SceneBeingRead& read, Mesh& mesh
 
 /// Reads a mesh written in the scene file itself.
 Mesh read_inline_mesh(const JsonView& item, const SceneBeingRead& read) {
-    item.expect_keys(
-        {"name", "positions", "triangles", "vertex_albedo", "material", "triangle_materials"});
+    item.expect_keys({"name", "positions", "triangles", "vertex_albedo", "texcoords", "material",
+                      "triangle_materials"});
     Mesh mesh;
     read_positions(item, mesh);
     read_triangles(item, read, mesh);

@@ -31,6 +31,12 @@ Track<T> read_track(const JsonView& item, const ReadValue& read_value) {
     return track;
 }
 
+Wrap read_wrap(const JsonView& item) {
+    static const std::map<std::string, int> wraps{
+        {"repeat", int(Wrap::Repeat)}, {"mirror", int(Wrap::Mirror)}, {"clamp", int(Wrap::Clamp)}};
+    return static_cast<Wrap>(find_name(item, wraps, "wrap"));
+}
+
 /// One radiance all around, or a picture.
 void read_environment(const JsonView& item, const std::filesystem::path& folder, Scene& scene) {
     if (!item.is_object()) {
@@ -49,6 +55,16 @@ void read_environment(const JsonView& item, const std::filesystem::path& folder,
 }
 
 }  // namespace
+
+Texture read_texture(const JsonView& item, const std::filesystem::path& folder) {
+    if (item.is_object()) item.expect_keys({"image", "wrap"});
+    const JsonView image = item.is_object() ? item.at("image") : item;
+    Texture texture{read_picture(file_inside(folder, image.text(), image))};
+    if (const auto wrap = item.is_object() ? item.find("wrap") : std::nullopt) {
+        texture.wrap_u = texture.wrap_v = read_wrap(*wrap);
+    }
+    return texture;
+}
 
 Transform read_transform(const JsonView& object) {
     Transform transform;

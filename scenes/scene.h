@@ -10,6 +10,7 @@
 
 #include "scenes/geometry.h"
 #include "scenes/panorama.h"
+#include "scenes/texture.h"
 #include "scenes/transform.h"
 
 namespace plumbline {
@@ -19,8 +20,9 @@ namespace plumbline {
 /// The back of a one-sided surface is black to light, and invisible to camera and surfel rays.
 struct Material {
     std::string name;
-    Spectrum albedo{0.7f};   ///< in [0,1]
-    Spectrum emission{0.f};  ///< radiance, W m^-2 sr^-1, from every side that reflects
+    Spectrum albedo{0.7f};             ///< in [0,1]
+    std::optional<Texture> texture{};  ///< multiplies albedo; then meshes have texture coordinates
+    Spectrum emission{0.f};            ///< radiance, W m^-2 sr^-1, from every side that reflects
     bool two_sided = false;
     bool operator==(const Material&) const = default;
 };
@@ -30,6 +32,7 @@ struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
     std::vector<Spectrum> vertex_albedo;  ///< empty, or one a position: multiplies the material's
+    std::vector<glm::vec2> texcoords;     ///< empty, or one a position: see Texture::at
     std::vector<glm::uvec3> triangles;    ///< indices into positions
     std::vector<int> triangle_materials;  ///< one a triangle: indices into Scene::materials
     bool operator==(const Mesh&) const = default;

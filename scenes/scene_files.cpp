@@ -24,14 +24,27 @@ std::string scene_name(const EmbeddedFile& file) {
     return std::filesystem::path(file.name).stem().string();
 }
 
-/// Puts the pictures that a scene file names beside it.
-void copy_pictures(const Scene& scene, const std::filesystem::path& folder) {
+/// Puts a picture that a scene file names beside it; never over another file.
+void put_beside(const std::filesystem::path& folder, const std::string& name,
+                const std::string& bytes) {
+    const std::filesystem::path file = folder / name;
+    if (std::filesystem::exists(file)) {
+        if (read_bytes(file) == bytes) return;
+        throw UsageError(file.string(), "another file of this name stands where a picture belongs",
+                         "write the scene into a folder of its own");
+    }
+    write_text(file, bytes);
+}
+
+void put_pictures_beside(const Scene& scene, const std::filesystem::path& folder) {
+    for (const Material& material : scene.materials) {
+        if (!material.texture) continue;
+        const Picture& picture = *material.texture->picture;
+        put_beside(folder, picture.name, picture.encoded);
+    }
     if (!scene.environment_image) return;
-    const std::filesystem::path& from = scene.environment_image->panorama->file;
-    const std::filesystem::path to = std::filesystem::absolute(folder) / from.filename();
-    std::error_code missing;
-    if (std::filesystem::equivalent(from, to, missing)) return;
-    write_text(to, read_bytes(from));
+    const std::filesystem::path& sky = scene.environment_image->panorama->file;
+    put_beside(folder, sky.filename().string(), read_bytes(sky));
 }
 
 }  // namespace
@@ -61,7 +74,7 @@ Scene load_scene(const std::string& name_or_path) {
 
 void save_scene(const Scene& scene, const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
-    if (ending == ".json" || ending == ".gltf") copy_pictures(scene, path.parent_path());
+    if (ending == ".json" || ending == ".gltf") put_pictures_beside(scene, path.parent_path());
     if (ending == ".json") return write_json_scene(scene, path);
     if (ending == ".gltf") return write_gltf_scene(scene, path);
     throw UsageError(path.string(), "scenes are not written as " + in_quotes(ending),

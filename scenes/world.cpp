@@ -23,7 +23,8 @@ glm::vec3 transformed(const glm::mat4& m, const glm::vec3& p) {
 glm::vec3 unit(const glm::vec3& v) { return glm::vec3(glm::normalize(glm::dvec3(v))); }
 
 WorldMesh world_mesh(const Mesh& mesh, const glm::mat4& to_world, int object) {
-    WorldMesh result{object, {}, mesh.vertex_albedo, mesh.triangles, mesh.triangle_materials};
+    WorldMesh result{
+        object, {}, mesh.vertex_albedo, mesh.texcoords, mesh.triangles, mesh.triangle_materials};
     result.positions.reserve(mesh.positions.size());
     for (const glm::vec3& p : mesh.positions) result.positions.push_back(transformed(to_world, p));
     // A mirroring transform turns triangles over; swapping two corners turns them back.

@@ -12,6 +12,7 @@ struct WorldMesh {
     int object;  ///< index into World::objects
     std::vector<glm::vec3> positions;
     std::vector<Spectrum> vertex_albedo;  ///< empty, or one a position
+    std::vector<glm::vec2> texcoords;     ///< empty, or one a position
     std::vector<glm::uvec3> triangles;    ///< counter-clockwise from the front, mirrored or not
     std::vector<int> triangle_materials;
 };

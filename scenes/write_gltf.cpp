@@ -53,6 +53,7 @@ OrderedJson GltfWriter::mesh_json(const Mesh& mesh) {
     OrderedJson attributes = {{"POSITION", buffer_.add_vertices(mesh.positions)}};
     if (!mesh.vertex_albedo.empty())
         attributes["COLOR_0"] = buffer_.add_vertices(mesh.vertex_albedo);
+    if (!mesh.texcoords.empty()) attributes["TEXCOORD_0"] = buffer_.add_vertices(mesh.texcoords);
     OrderedJson primitives = OrderedJson::array();
     for (std::size_t first = 0; first < mesh.triangles.size();) {
         std::size_t end = first;
@@ -177,7 +178,17 @@ OrderedJson used_extensions(const Scene& scene) {
 
 OrderedJson GltfWriter::file(const std::string& buffer_name) {
     OrderedJson materials = OrderedJson::array();
-    for (const Material& material : scene_.materials) materials.push_back(gltf_material(material));
+    OrderedJson textures = OrderedJson::array();
+    OrderedJson images = OrderedJson::array();
+    OrderedJson samplers = OrderedJson::array();
+    for (const Material& material : scene_.materials) {
+        materials.push_back(gltf_material(material));
+        if (!material.texture) continue;
+        materials.back()["pbrMetallicRoughness"]["baseColorTexture"]["index"] = textures.size();
+        textures.push_back({{"source", images.size()}, {"sampler", samplers.size()}});
+        images.push_back({{"uri", percent_encoded(material.texture->picture->name)}});
+        samplers.push_back(gltf_sampler(*material.texture));
+    }
     for (const Mesh& mesh : scene_.meshes) meshes_.push_back(mesh_json(mesh));
     for (const Object& object : scene_.objects) {
         if (object.parent == -1) roots_.push_back(nodes_.size());
@@ -208,6 +219,9 @@ OrderedJson GltfWriter::file(const std::string& buffer_name) {
     add("extensionsUsed", used_extensions(scene_));
     if (!lights_.empty()) json["extensions"]["KHR_lights_punctual"]["lights"] = lights_;
     add("materials", materials);
+    add("textures", textures);
+    add("images", images);
+    add("samplers", samplers);
     add("meshes", meshes_);
     if (!channels_.empty()) {
         json["animations"] =

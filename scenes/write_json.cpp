@@ -45,8 +45,15 @@ OrderedJson animation_json(const Animation& animation) {
     return json;
 }
 
+/// Both axes of a scene file's texture wrap alike; the rarer other case takes that of u.
+OrderedJson texture_json(const Texture& texture) {
+    constexpr std::array wraps{"repeat", "mirror", "clamp"};
+    return {{"image", texture.picture->name}, {"wrap", wraps[std::size_t(texture.wrap_u)]}};
+}
+
 OrderedJson material_json(const Material& material) {
     OrderedJson json = {{"name", material.name}, {"albedo", shortest(material.albedo)}};
+    if (material.texture) json["texture"] = texture_json(*material.texture);
     if (material.emission != Spectrum(0.f)) json["emission"] = shortest(material.emission);
     if (material.two_sided) json["two_sided"] = true;
     return json;
@@ -58,6 +65,9 @@ OrderedJson mesh_json(const Mesh& mesh, const Scene& scene) {
         json["positions"].push_back(shortest(position));
     for (const Spectrum& albedo : mesh.vertex_albedo) {
         json["vertex_albedo"].push_back(shortest(albedo));
+    }
+    for (const glm::vec2& uv : mesh.texcoords) {
+        json["texcoords"].push_back({shortest(uv.x), shortest(uv.y)});
     }
     json["triangles"] = OrderedJson::array();
     json["triangle_materials"] = OrderedJson::array();
