@@ -121,7 +121,8 @@ void add_render_command(CLI::App& app) {
         .add_option("--max-bounces", options.max_bounces,
                     "Indirect bounces; 0: direct light only (default: Russian roulette ends them)")
         ->check(CLI::Range(0, most));
-    command.add_option("--seed", options.seed, "Seed of all random numbers (default: 0)");
+    command.add_option("--seed", options.seed, "Seed of all random numbers (default: 0)")
+        ->check(CLI::NonNegativeNumber);
     command.add_option_function<std::string>(
         "--shard",
         [&options](const std::string& text) { options.shard = parsed_shard("--shard", text); },

@@ -30,10 +30,13 @@ Scene awkward_scene() {
     scene.description = "ünïcode\tand a tab";
     scene.length_unit = "m";
     for (int i = 0; i < 3; ++i) {
-        scene.materials.push_back({"material " + std::to_string(i), odd.vec(),
-                                   i == 1 ? 40.f * odd.vec() : odd.vec(), i == 2});
+        scene.materials.push_back({"material " + std::to_string(i),
+                                   odd.vec(),
+                                   {},
+                                   i == 1 ? 40.f * odd.vec() : odd.vec(),
+                                   i == 2});
     }
-    Mesh mesh{"strip", {}, {}, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {4, 3, 2}}, {0, 2, 0, 0}};
+    Mesh mesh{"strip", {}, {}, {}, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {4, 3, 2}}, {0, 2, 0, 0}};
     for (int i = 0; i < 5; ++i) {
         mesh.positions.push_back(100.f * odd.vec());
         mesh.vertex_albedo.push_back(odd.vec());
