@@ -16,7 +16,9 @@ ordered_json scales_json(const std::vector<ScaleError>& scales) {
     for (const ScaleError& error : scales)
         curve.push_back(
             {{"width", error.width}, {"rmse", error.rmse}, {"if_noise", error.if_noise}});
-    return {{"slope", number(scale_slope(scales))}, {"curve", curve}};
+    return {{"slope", number(scale_slope(scales))},
+            {"verdict", scale_verdict(scales)},
+            {"curve", curve}};
 }
 
 ordered_json flip_json(const Comparison& comparison) {

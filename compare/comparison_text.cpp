@@ -38,7 +38,7 @@ std::string scales_text(const std::vector<ScaleError>& scales) {
                             error.if_noise);
     if (const auto slope = scale_slope(scales))
         text += fmt::format("slope {:.2f} per doubling (-1: noise, 0: bias)\n", *slope);
-    return text;
+    return text + scale_verdict(scales) + "\n";
 }
 
 std::string exposures_text(const Comparison& comparison) {

@@ -5,149 +5,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
-#include "compare/thesis_prediction.h"
+#include "compare/cases_fit.h"
+#include "compare/transfer.h"
 #include "scenes/errors.h"
 
 namespace plumbline::compare {
 
 namespace {
 
-/// Beyond this share of a neighbour's light per missed ray, probes take over a thousand updates to
-/// converge; at 1 light never dies.
-constexpr double most_propagation = 0.98;
-constexpr double least_scale = 1e-6;  ///< of constants that multiply: none may be 0
-constexpr double most_attenuation = 1e3;
-constexpr double most_brightness = 1e9;
-constexpr double most_feedback = 1e6;
-
-/// The parameters of a fit, and which of them each case reads.
-struct Layout {
-    std::vector<Parameter> parameters;
-    std::vector<std::string> scenes;  ///< whose each is; empty: shared
-    ConstantPlaces places;
-};
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-void check_names(const FitSettings& settings) {
-    for (const auto& [option, names] :
-         {std::pair("--free", &settings.free), std::pair("--per-scene", &settings.per_scene)})
-        for (const std::string& name : *names)
-            if (std::find(constant_names.begin(), constant_names.end(), name) ==
-                constant_names.end())
-                throw UsageError(option, fmt::format("no constant '{}'", name),
-                                 fmt::format("name some of {}", fmt::join(constant_names, ", ")));
-    for (const std::string& name : settings.per_scene)
-        if (!contains(settings.free, name))
-            throw UsageError("--per-scene", fmt::format("'{}' is not free", name),
-                             "name it with --free too");
-    if (settings.free.empty()) throw UsageError("--free", "no constant", "name at least one");
-}
-
-/// Constant `c` as a parameter, as published for the first of the cases that share it.
-Parameter parameter_of(std::size_t c, std::span<const Observations> sharing, bool free) {
-    const double published = sharing.front().picture().published()[c];
-    double lossless = std::numeric_limits<double>::infinity();
-    for (const Observations& one : sharing)
-        lossless = std::min(lossless, one.picture().lossless_falloff());
-    const Constants<double> lower{0, least_scale, least_scale, 0};
-    const Constants<double> upper{most_propagation * lossless, most_attenuation, most_brightness,
-                                  most_feedback};
-    // Steps in which constants are told apart: of light passed on, and of each factor.
-    const Constants<double> scale{lossless, published, published, std::max(published, 1.0)};
-    return {constant_names[c], published, lower[c], upper[c], free, scale[c] > 0 ? scale[c] : 1.0,
-            c == 1 || c == 2};
-}
-
-Layout layout_of(std::span<const Observations> cases, const std::vector<FitCase>& fit_cases,
-                 const FitSettings& settings) {
-    Layout layout;
-    layout.places.resize(cases.size());
-    for (std::size_t c = 0; c < constant_names.size(); ++c) {
-        const std::string name = constant_names[c];
-        const bool free = contains(settings.free, name);
-        // A constant that is not free stays as published for each scene.
-        const bool own = cases.size() > 1 && (!free || contains(settings.per_scene, name));
-        for (std::size_t k = 0; k < cases.size(); ++k) {
-            if (k == 0 || own) {
-                layout.parameters.push_back(
-                    parameter_of(c, own ? cases.subspan(k, 1) : cases, free));
-                layout.scenes.push_back(own ? fit_cases[k].scene->name : "");
-            }
-            layout.places[k][c] = layout.parameters.size() - 1;
+/// Says in whose unit shared constants are given, where scenes have others.
+void add_unit_note(const std::vector<Observations>& observations, const std::vector<FitCase>& cases,
+                   std::vector<std::string>& notes) {
+    for (std::size_t k = 1; k < observations.size(); ++k)
+        if (unit_factors(observations[0], observations[k]) != Constants<double>{1, 1, 1, 1}) {
+            notes.push_back(fmt::format(
+                "shared constants are given for {}; all but bounceAttenuation are areas, and go "
+                "with the square of the spacing to the other scenes",
+                cases[0].scene->name));
+            return;
         }
-    }
-    for (std::size_t p = 0; p < layout.parameters.size(); ++p)
-        if (!layout.scenes[p].empty()) layout.parameters[p].name += " (" + layout.scenes[p] + ")";
-    return layout;
 }
 
-Observed observed_of(std::span<const Observations> cases) {
-    Observed observed;
-    std::uint32_t first_tile = 0;
-    for (const Observations& one : cases) {
-        observed.values.insert(observed.values.end(), one.radiance().begin(), one.radiance().end());
-        observed.variance.insert(observed.variance.end(), one.variance().begin(),
-                                 one.variance().end());
-        for (std::uint32_t tile : one.tiles()) observed.tile.push_back(first_tile + tile);
-        first_tile = observed.tile.back() + 1;
-    }
-    return observed;
-}
-
-/// A fit of some cases.
-struct CasesFit {
-    Layout layout;
-    Solution solution;
-    Identifiability verdict;
-    std::vector<Constants<double>> constants;  ///< of each case
-    double degrees_of_freedom;
-};
-
-CasesFit fit_cases(std::span<const Observations> cases, const std::vector<FitCase>& fit_cases,
-                   const FitSettings& settings) {
-    CasesFit result;
-    result.layout = layout_of(cases, fit_cases, settings);
-    const ThesisPrediction prediction(cases, result.layout.places,
-                                      contains(settings.free, constant_names[3]));
-    const Observed observed = observed_of(cases);
-    const std::vector<Parameter>& parameters = result.layout.parameters;
-    const auto judge_at = [&](const std::vector<double>& at, double misfit_variance) {
-        return judge(whitened(prediction, observed, misfit_variance, settings.loss, at), observed,
-                     parameters, at, Together::Multiply);
-    };
-    std::vector<double> start;
-    for (const Parameter& one : parameters)
-        start.push_back(std::clamp(one.value, one.lower, one.upper));
-    result.verdict = judge_at(start, 0);
-    result.solution = solve(prediction, observed, parameters, result.verdict.redundant,
-                            settings.loss, settings.watch);
-    result.verdict = judge_at(result.solution.parameters, result.solution.misfit_variance);
-    for (std::size_t k = 0; k < cases.size(); ++k)
-        result.constants.push_back(prediction.constants(k, result.solution.parameters));
-    result.degrees_of_freedom = double(observed.values.size()) - double(result.verdict.known);
-    return result;
-}
-
-void add_transfer(const std::vector<FitCase>& cases, const std::vector<Observations>& observations,
-                  const FitSettings& settings, FitResult& result) {
-    std::vector<std::optional<Observations>> tests;
-    for (const FitCase& one : settings.tests) tests.emplace_back(one);
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        const Constants<double> constants =
-            fit_cases({&observations[i], 1}, {cases[i]}, settings).constants.front();
-        const auto test = [&](const FitCase& on, const Observations& observed) {
-            result.transfer.push_back({cases[i].scene->name, cases[i].frame, on.scene->name,
-                                       on.frame, rmse_at({&observed, 1}, {constants})});
-        };
-        for (std::size_t j = 0; j < cases.size(); ++j) test(cases[j], observations[j]);
-        for (std::size_t j = 0; j < tests.size(); ++j) test(settings.tests[j], *tests[j]);
-    }
+/// The free ones among a case's constants, by name.
+std::map<std::string, double> free_constants(const Constants<double>& constants,
+                                             const FitSettings& settings) {
+    std::map<std::string, double> named;
+    for (const std::string& name : settings.free)
+        named[name] = constants[static_cast<std::size_t>(std::ranges::find(constant_names, name) -
+                                                         constant_names.begin())];
+    return named;
 }
 
 }  // namespace
@@ -186,8 +73,11 @@ FitResult fit(const std::vector<FitCase>& cases, const FitSettings& settings) {
     if (!result.converged)
         result.notes.push_back("the fit did not converge: " + fitted.solution.termination);
     add_bound_notes(fitted.layout.parameters, fitted.solution.parameters, result.notes);
+    add_unit_note(observations, cases, result.notes);
+    for (const Constants<double>& constants : fitted.constants)
+        result.case_constants.push_back(free_constants(constants, settings));
     if (cases.size() + settings.tests.size() > 1)
-        add_transfer(cases, observations, settings, result);
+        result.transfer = transfer_errors(cases, observations, settings);
     return result;
 }
 

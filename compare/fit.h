@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,8 @@ struct FitResult {
     double misfit = 0;                    ///< standard deviation of the model's own error: tau
     std::vector<Step> steps{};
     bool converged = false;
+    /// What each case in order was rendered with: the free constants by name.
+    std::vector<std::map<std::string, double>> case_constants{};
 };
 
 /// The constants of the thesis's model that match the indirect layer best, over all cases.

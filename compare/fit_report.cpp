@@ -28,6 +28,17 @@ std::string steps_text(const std::vector<Step>& steps) {
 
 }  // namespace
 
+ordered_json to_json(const std::vector<TransferError>& transfer) {
+    ordered_json list = ordered_json::array();
+    for (const TransferError& error : transfer)
+        list.push_back({{"fitted_on", error.fitted_on},
+                        {"tested_on", error.tested_on},
+                        {"rmse", error.rmse},
+                        {"fitted_frame", error.fitted_frame},
+                        {"tested_frame", error.tested_frame}});
+    return list;
+}
+
 ordered_json to_json(const FitResult& result) {
     // Infinity and NaN are dumped as null.
     ordered_json constants = ordered_json::array(), combinations = ordered_json::array();
@@ -43,13 +54,6 @@ ordered_json to_json(const FitResult& result) {
         combinations.push_back({{"expression", known.expression},
                                 {"value", known.value},
                                 {"standard_error", known.standard_error}});
-    ordered_json transfer = ordered_json::array();
-    for (const TransferError& error : result.transfer)
-        transfer.push_back({{"fitted_on", error.fitted_on},
-                            {"tested_on", error.tested_on},
-                            {"rmse", error.rmse},
-                            {"fitted_frame", error.fitted_frame},
-                            {"tested_frame", error.tested_frame}});
     ordered_json steps = ordered_json::array();
     for (const Step& step : result.steps)
         steps.push_back({{"round", step.round},
@@ -62,7 +66,7 @@ ordered_json to_json(const FitResult& result) {
             {"constants", constants},
             {"rmse_before", result.rmse_before},
             {"rmse_after", result.rmse_after},
-            {"transfer", transfer},
+            {"transfer", to_json(result.transfer)},
             {"combinations", combinations},
             {"gain", result.gain},
             {"gain_standard_error", result.gain_standard_error},

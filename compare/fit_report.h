@@ -12,6 +12,8 @@ namespace plumbline::compare {
 /// known is infinite, which JSON cannot say: null.
 nlohmann::ordered_json to_json(const FitResult& result);
 
+nlohmann::ordered_json to_json(const std::vector<TransferError>& transfer);
+
 /// A fit as a table for a terminal.
 std::string to_text(const FitResult& result);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/scales.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +13,7 @@ namespace plumbline::compare {
 namespace {
 
 constexpr int widest_block = 64;
+constexpr std::size_t fewest_blocks = 8;  ///< that a verdict rests on
 
 /// Sums of squared block means, and their number, over the row of blocks that starts at row `top`.
 std::array<double, 2> block_row(const LayerPair& pair, int top, int width) {
@@ -43,7 +46,8 @@ std::vector<ScaleError> error_by_scale(const LayerPair& pair) {
         if (sums[1] == 0) break;
         const double rmse = std::sqrt(sums[0] / sums[1]);
         const double at_one_pixel = errors.empty() ? rmse : errors.front().rmse;
-        errors.push_back({width, rmse, at_one_pixel / width});
+        errors.push_back(
+            {width, rmse, at_one_pixel / width, static_cast<std::size_t>(sums[1] / 3)});
     }
     return errors;
 }
@@ -62,6 +66,21 @@ std::optional<double> scale_slope(const std::vector<ScaleError>& errors) {
         sxy += x * y;
     }
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+std::string scale_verdict(const std::vector<ScaleError>& errors) {
+    const auto judged = std::find_if(errors.rbegin(), errors.rend(), [](const ScaleError& error) {
+        return error.blocks >= fewest_blocks;
+    });
+    if (judged == errors.rend() || judged->width == 1) return "too few pixels to tell";
+    if (errors.front().rmse == 0) return "no error";
+    const double ratio = judged->rmse / judged->if_noise;
+    const double three_standard_errors = 3 / std::sqrt(2. * double(judged->blocks));
+    const std::string figure =
+        fmt::format("{:.3g} times what noise leaves at width {}", ratio, judged->width);
+    if (ratio > 1 + three_standard_errors) return "structure or bias: " + figure;
+    if (ratio < 1 - three_standard_errors) return "errors that cancel: " + figure;
+    return "noise: " + figure;
 }
 
 }  // namespace plumbline::compare

@@ -12,10 +12,16 @@ using Jet = ceres::Jet<double, constant_count>;
 
 }  // namespace
 
+Constants<double> unit_factors(const Observations& from, const Observations& to) {
+    const double area = to.picture().lossless_falloff() / from.picture().lossless_falloff();
+    return {area, 1, area, area};
+}
+
 Constants<double> ThesisPrediction::constants(std::size_t k,
                                               const std::vector<double>& parameters) const {
     Constants<double> constants;
-    for (std::size_t c = 0; c < constants.size(); ++c) constants[c] = parameters[places_[k][c]];
+    for (std::size_t c = 0; c < constants.size(); ++c)
+        constants[c] = parameters[places_[k][c]] * factors_[k][c];
     return constants;
 }
 
@@ -24,6 +30,7 @@ void ThesisPrediction::add_derivatives(std::size_t k, const std::vector<double>&
     const Constants<double> at = constants(k, parameters);
     Constants<Jet> jets;
     for (int c = 0; c < constant_count; ++c) jets[std::size_t(c)] = Jet(at[std::size_t(c)], c);
+    for (std::size_t c = 0; c < jets.size(); ++c) jets[c].v *= factors_[k][c];
     for (const Jet& value :
          cases_[k].picture().indirect<Jet>(jets, cases_[k].pixels(), fits_feedback_)) {
         for (int c = 0; c < constant_count; ++c)

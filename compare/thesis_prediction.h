@@ -9,6 +9,11 @@
 
 namespace plumbline::compare {
 
+/// What constants of `from` become in `to`, a factor each: the published formulas divide light by
+/// squared distances, so that all but bounceAttenuation are areas. The unit of length of a scene is
+/// taken to be the spacing of its probes.
+Constants<double> unit_factors(const Observations& from, const Observations& to);
+
 /// Which parameter of a fit each constant of each case is.
 using ConstantPlaces = std::vector<Constants<std::size_t>>;
 
@@ -16,10 +21,15 @@ using ConstantPlaces = std::vector<Constants<std::size_t>>;
 /// derivatives are those of dual numbers through the renderer's own formulas.
 class ThesisPrediction : public Prediction {
  public:
-    /// `cases` must live on. `fits_feedback`: multiBounceIntensity is free, so that its derivative
-    /// is needed even at 0.
-    ThesisPrediction(std::span<const Observations> cases, ConstantPlaces places, bool fits_feedback)
-        : cases_(cases), places_(std::move(places)), fits_feedback_(fits_feedback) {}
+    /// `cases` must live on. A case's constants are its parameters times its
+    /// `factors`.
+    /// `fits_feedback`: multiBounceIntensity is free, so that its derivative is needed even at 0.
+    ThesisPrediction(std::span<const Observations> cases, ConstantPlaces places,
+                     std::vector<Constants<double>> factors, bool fits_feedback)
+        : cases_(cases),
+          places_(std::move(places)),
+          factors_(std::move(factors)),
+          fits_feedback_(fits_feedback) {}
 
     std::vector<double> predict(const std::vector<double>& parameters,
                                 Jacobian* jacobian) const override;
@@ -33,6 +43,7 @@ class ThesisPrediction : public Prediction {
 
     std::span<const Observations> cases_;
     ConstantPlaces places_;
+    std::vector<Constants<double>> factors_;
     bool fits_feedback_;
 };
 

@@ -102,12 +102,11 @@ void print_result(const FitOptions& options, const compare::FitResult& result) {
 /// The truths and the model's pictures with the fitted constants.
 void write_pictures(const FitOptions& options, const std::vector<Subject>& subjects,
                     const compare::FitResult& result) {
-    for (const Subject& subject : subjects) {
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        const Subject& subject = subjects[i];
         ddgi::DdgiOptions fitted;
         fitted.model = result.model;
-        for (const compare::FittedConstant& constant : result.constants)
-            if (constant.scene.empty() || constant.scene == subject.scene.name)
-                fitted.set[constant.name] = constant.value;
+        fitted.set = result.case_constants[i];
         write_exr(options.folder / (subject.scene.name + "-truth.exr"), subject.truth);
         write_exr(options.folder / (subject.scene.name + "-fitted.exr"),
                   ddgi::render(subject.scene, subject.frame, fitted).image);

@@ -16,17 +16,6 @@ namespace plumbline {
 
 namespace {
 
-/// How much is measured without --quick and with it.
-struct Effort {
-    double pixels;  ///< of a picture without --size, at 16:9
-    int truth_spp;
-    std::vector<int> spp;
-    int repeats;
-};
-
-const Effort default_effort{320. * 180., 1024, {1, 4, 16, 64, 256}, 3};
-const Effort quick_effort{160. * 90., 256, {1, 4, 16, 64}, 2};
-
 struct Options {
     CommonOptions common;
     std::string scene;
@@ -36,7 +25,7 @@ struct Options {
     bool quick = false;
     bool json = false;
 
-    const Effort& effort() const { return quick ? quick_effort : default_effort; }
+    reports::FrontierEffort effort() const { return reports::frontier_effort(quick); }
 };
 
 Image truth_of(Scene& scene, int frame, const Options& options) {

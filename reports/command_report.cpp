@@ -2,6 +2,7 @@
 #include <fmt/chrono.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <memory>
@@ -26,6 +27,9 @@ namespace {
 
 /// Pixels of a picture without --size, in the camera's own proportions: 480 x 270 at 16:9.
 constexpr double default_pixels = 480. * 270.;
+
+/// What measure_constants() takes, in the unit of Stages.
+constexpr double work_of_transfer = 120;
 
 struct Options {
     CommonOptions common;
@@ -73,42 +77,23 @@ std::filesystem::path published_file(const Options& options) {
     return std::filesystem::path("reports") / "RESULTS.md";
 }
 
-/// One fit to all scenes that have constants, tested on scenes that are unlike them.
-std::optional<compare::FitResult> transfer_of(const reports::Report& report,
-                                              const std::vector<Subject>& subjects,
-                                              const reports::Quality& quality) {
+/// What the constants of all scenes that have some have in common.
+void measure_constants(reports::Report& report, const std::vector<Subject>& subjects,
+                       const reports::Quality& quality, reports::Stages& stages) {
     std::vector<compare::FitCase> cases;
-    for (std::size_t i = 0; i < subjects.size(); ++i)
-        if (subjects[i].scene.thesis)
-            cases.push_back({&subjects[i].scene, subjects[i].frame, &report.scenes[i].truth.image});
-    if (cases.empty()) return std::nullopt;
-    std::vector<Subject> further;
-    std::vector<Image> truths;
-    for (const char* name : {"two-rooms", "courtyard"}) {
-        Subject subject{name, load_scene(name), 0};
-        subject.frame = subject.scene.report_frame;
-        subject.scene.camera.width = subjects[0].scene.camera.width;
-        subject.scene.camera.height = subjects[0].scene.camera.height;
-        pathtracer::RenderOptions render;
-        render.spp = quality.truth_spp;
-        truths.push_back(pathtracer::render(subject.scene, subject.frame, render).image);
-        further.push_back(std::move(subject));
+    std::vector<reports::TransferScene> scenes;
+    double pixels = quality.transfer_pixels;
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        const auto& [argument, scene, frame] = subjects[i];
+        if (!report.scenes[i].fit) continue;
+        cases.push_back({&scene, frame, &report.scenes[i].truth.image});
+        scenes.push_back({&scene, frame});
+        pixels = std::min(pixels, double(scene.camera.width) * scene.camera.height);
     }
-    compare::FitSettings settings;
-    for (std::size_t i = 0; i < further.size(); ++i)
-        settings.tests.push_back({&further[i].scene, further[i].frame, &truths[i]});
-    return compare::fit(cases, settings);
-}
-
-/// What is published beyond the page: frontiers, and the transfer of constants between scenes.
-void measure_published(reports::Report& report, const std::vector<Subject>& subjects,
-                       const reports::Quality& quality) {
-    constexpr int repeats = 2;
-    for (std::size_t i = 0; i < subjects.size(); ++i)
-        report.frontiers.push_back(reports::measure_frontier(
-            subjects[i].scene, subjects[i].frame, report.scenes[i].truth.image,
-            {quality.path_tracer_spp, reports::frontier_cases(subjects[i].scene, true), repeats}));
-    report.transfer = transfer_of(report, subjects, quality);
+    if (cases.empty()) return;
+    stages.begin("the constants of one scene on another", work_of_transfer);
+    report.transfer = reports::measure_transfer(scenes, pixels, quality.transfer_spp);
+    if (cases.size() > 1) report.shared = compare::fit(cases);
 }
 
 void run(const Options& options) {
@@ -130,11 +115,11 @@ void run(const Options& options) {
         .quality = quality.name,
         .machine = reports::this_machine(),
         .scenes = {}};
-    reports::Stages stages(work);
+    reports::Stages stages(work + work_of_transfer);
     for (const Subject& subject : subjects)
         report.scenes.push_back(
             reports::measure(subject.argument, subject.scene, subject.frame, quality, stages));
-    if (options.publish) measure_published(report, subjects, quality);
+    measure_constants(report, subjects, quality, stages);
     const std::string results = reports::results_json(report).dump(2) + "\n";
     const std::string page = reports::page_html(report);
     write_text(options.folder / "results.json", results);
@@ -157,8 +142,7 @@ void add_report_command(CLI::App& app) {
         ->required();
     command->add_flag("--quick", options->quick, "Fewer samples: more noise, a third of the time");
     command->add_flag("--publish", options->publish,
-                      "Also write the results as Markdown with small pictures, with frontiers and "
-                      "the transfer of constants between scenes");
+                      "Also write the results as Markdown with small pictures");
     command->add_option("--results", options->results,
                         "File for --publish (default: reports/RESULTS.md of the sources)");
     add_common_options(*command, options->common);

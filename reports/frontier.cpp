@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "pathtracer/render.h"
 #include "reports/frontier_points.h"
 #include "reports/layer_statistics.h"
+#include "reports/picture_size.h"
 #include "scenes/errors.h"
 #include "scenes/progress.h"
 
@@ -18,6 +20,11 @@ Spread spread_of(std::vector<double> values) {
     const double median =
         values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
     return {median, values.front(), values.back()};
+}
+
+FrontierEffort frontier_effort(bool quick) {
+    if (quick) return {160. * 90., 256, {1, 4, 16, 64}, 2};
+    return {320. * 180., 1024, {1, 4, 16, 64, 256}, 3};
 }
 
 void check(const FrontierOptions& options) {
@@ -45,6 +52,17 @@ Frontier measure_frontier(const Scene& scene, int frame, const Image& truth,
         progress.advance();
     }
     return frontier;
+}
+
+Frontier measure_quick_frontier(const Scene& scene, int frame) {
+    const FrontierEffort effort = frontier_effort(true);
+    Scene small = scene;
+    set_default_size(small.camera, {}, effort.pixels);
+    pathtracer::RenderOptions render;
+    render.spp = effort.truth_spp;
+    const Image truth = pathtracer::render(small, frame, render).image;
+    return measure_frontier(small, frame, truth,
+                            {effort.spp, frontier_cases(scene, true), effort.repeats});
 }
 
 std::vector<TimedError> timed_errors(const Frontier& frontier, Budget budget) {

@@ -68,6 +68,15 @@ struct FrontierOptions {
     int repeats = 3;                          ///< at least 2
 };
 
+/// How much is measured of a scene, with `quick` or without it.
+struct FrontierEffort {
+    double pixels;  ///< of a picture, in the camera's proportions
+    int truth_spp;
+    std::vector<int> spp;
+    int repeats;
+};
+FrontierEffort frontier_effort(bool quick);
+
 /// Throws UsageError for options that measure_frontier() cannot run: told before a truth is
 /// rendered.
 void check(const FrontierOptions& options);
@@ -78,6 +87,9 @@ void check(const FrontierOptions& options);
 /// Throws UsageError, ImageError.
 Frontier measure_frontier(const Scene& scene, int frame, const Image& truth,
                           const FrontierOptions& options);
+
+/// What `plumbline frontier SCENE --quick` measures, truth and all.
+Frontier measure_quick_frontier(const Scene& scene, int frame);
 
 /// What a time is counted from.
 enum class Budget {

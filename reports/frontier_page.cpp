@@ -139,6 +139,16 @@ StudySection budget_section(const Frontier& frontier, Budget budget, const std::
 
 }  // namespace
 
+std::vector<StudySection> frontier_sections(const Frontier& frontier) {
+    return {budget_section(frontier, Budget::Still, "A still from nothing",
+                           "Error against the time of a still from nothing, both axes logarithmic; "
+                           "dashed: each method's least error, and the noise of the truth"),
+            budget_section(frontier, Budget::Frame, "One more frame",
+                           "Error against the time of one more frame, the probes settled, the path "
+                           "tracer beginning anew"),
+            {"Every picture", {}, {all_points(frontier)}, {}, {}}};
+}
+
 StudyPage frontier_page(const Frontier& frontier, const std::string& command) {
     StudyPage page;
     page.title = "What accuracy costs in time: " + frontier.scene;
@@ -150,14 +160,7 @@ StudyPage frontier_page(const Frontier& frontier, const std::string& command) {
         "bias. The work for probes does not depend on the size of the picture, that for the "
         "picture does.",
         frontier.frame, frontier.width, frontier.height, frontier.repeats));
-    page.sections = {
-        budget_section(frontier, Budget::Still, "A still from nothing",
-                       "Error against the time of a still from nothing, both axes logarithmic; "
-                       "dashed: each method's least error, and the noise of the truth"),
-        budget_section(frontier, Budget::Frame, "One more frame",
-                       "Error against the time of one more frame, the probes settled, the path "
-                       "tracer beginning anew"),
-        {"Every picture", {}, {all_points(frontier)}, {}, {}}};
+    page.sections = frontier_sections(frontier);
     return page;
 }
 

@@ -9,6 +9,9 @@
 
 namespace plumbline::reports {
 
+/// The chart and the Pareto frontier of each budget, and every picture's figures.
+std::vector<StudySection> frontier_sections(const Frontier& frontier);
+
 /// All that was measured and found; undefined values are null.
 nlohmann::ordered_json frontier_json(const Frontier& frontier);
 

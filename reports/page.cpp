@@ -14,10 +14,13 @@ constexpr int smallest_fraction = 16;
 
 std::string page_at(const Report& report, int block) {
     PageData shown = page_data(report, block);
-    nlohmann::json context = page_context(report, block);
+    nlohmann::json charts = nlohmann::json::array();
+    nlohmann::json context = page_context(report, block, charts);
+    shown.json["charts"] = charts;
     context["data"] = script_json(shown.json);
     context["layers"] = std::move(shown.layer_elements);
-    return fill_template("index.html", context, {"verdict.html", "scene.html"});
+    return fill_template("index.html", context,
+                         {"head.html", "section.html", "verdict.html", "scene.html"});
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "reports/equal_error.h"
 #include "reports/page_files.h"
 #include "reports/picture_context.h"
+#include "reports/scene_sections.h"
+#include "reports/study_section.h"
 #include "reports/tables.h"
 #include "reports/verdict.h"
 #include "reports/words.h"
@@ -25,7 +27,7 @@ using nlohmann::json;
 constexpr std::array scripts{
     "chart.min.js", "theme.js",           "tables.js",      "layers.js",
     "display.js",   "viewer_controls.js", "viewer_view.js", "viewer_inspector.js",
-    "viewer.js",    "viewer_input.js",    "charts.js"};
+    "viewer.js",    "viewer_input.js",    "charts.js",      "study.js"};
 
 /// What the reader of any report has to keep in mind.
 constexpr std::array limits{
@@ -117,7 +119,15 @@ std::vector<std::string> notes_of(const SceneReport& report) {
     return notes;
 }
 
-json scene_context(const SceneReport& report, std::size_t index, int block) {
+json sections_context(const std::vector<StudySection>& sections, const std::string& level,
+                      json& charts) {
+    json list = json::array();
+    for (const StudySection& section : sections)
+        list.push_back(section_context(section, level, charts));
+    return list;
+}
+
+json scene_context(const SceneReport& report, std::size_t index, int block, json& charts) {
     const Verdict verdict = verdict_of(report);
     json models = json::array();
     for (std::size_t i = 0; i < report.models.size(); ++i)
@@ -139,6 +149,7 @@ json scene_context(const SceneReport& report, std::size_t index, int block) {
                     {"models", models},
                     {"metrics", {metrics_table(report, "indirect"), metrics_table(report, "")}},
                     {"times", times_table(report)},
+                    {"sections", sections_context(scene_sections(report), "h3", charts)},
                     {"fit", constants_table(report)},
                     {"effects", effects_context(report)},
                     {"has_notes", !notes.empty()},
@@ -147,6 +158,12 @@ json scene_context(const SceneReport& report, std::size_t index, int block) {
                     {"non_finite", non_finite_context(report)},
                     {"slope", slope_text(report)}});
     return context;
+}
+
+/// What several scenes tell together.
+std::vector<StudySection> between_scenes(const Report& report) {
+    if (!report.transfer) return {};
+    return {transfer_section(*report.transfer)};
 }
 
 json formulas_context() {
@@ -164,11 +181,11 @@ json scripts_context() {
 
 }  // namespace
 
-json page_context(const Report& report, int block) {
+json page_context(const Report& report, int block, json& charts) {
     json scenes = json::array();
     std::string title;
     for (std::size_t i = 0; i < report.scenes.size(); ++i) {
-        scenes.push_back(scene_context(report.scenes[i], i, block));
+        scenes.push_back(scene_context(report.scenes[i], i, block, charts));
         title += (title.empty() ? "" : ", ") + report.scenes[i].name;
     }
     return {{"version", report.version},
@@ -183,6 +200,8 @@ json page_context(const Report& report, int block) {
             {"style", page_style()},
             {"scripts", scripts_context()},
             {"scenes", scenes},
+            {"has_between", report.transfer.has_value()},
+            {"between", sections_context(between_scenes(report), "h2", charts)},
             {"formulas", formulas_context()},
             {"limits", limits}};
 }

@@ -8,6 +8,7 @@
 namespace plumbline::reports {
 
 /// What reports/page/index.html and its parts show, as text; pictures at 1/`block` of their size.
-nlohmann::json page_context(const Report& report, int block);
+/// Appends to `charts` what study.js draws.
+nlohmann::json page_context(const Report& report, int block, nlohmann::json& charts);
 
 }  // namespace plumbline::reports

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "reports/frontier.h"
 #include "reports/machine.h"
 #include "reports/scene_report.h"
+#include "reports/transfer.h"
 
 namespace plumbline::reports {
 
@@ -18,8 +18,8 @@ struct Report {
     std::string quality;
     Machine machine;
     std::vector<SceneReport> scenes;
-    std::vector<Frontier> frontiers{};             ///< of each scene, if they were measured
-    std::optional<compare::FitResult> transfer{};  ///< one fit to all scenes, if it was asked for
+    std::optional<Transfer> transfer{};  ///< none without a scene that has the thesis's constants
+    std::optional<compare::FitResult> shared{};  ///< one fit to all such scenes, if several
 };
 
 }  // namespace plumbline::reports

@@ -4,6 +4,7 @@
 #include "compare/comparison_json.h"
 #include "compare/fit_report.h"
 #include "reports/equal_error.h"
+#include "reports/frontier_page.h"
 #include "reports/layer_statistics.h"
 #include "reports/verdict.h"
 
@@ -87,6 +88,28 @@ Json fit_json(const SceneReport& scene) {
     return json;
 }
 
+Json animation_json(const SceneReport& scene) {
+    if (!scene.animation) return nullptr;
+    const AnimationErrors& animation = *scene.animation;
+    Json models = Json::array();
+    for (const MovingModel& model : animation.models) {
+        Json errors = Json::array();
+        for (std::size_t k = 0; k < model.errors.size(); ++k)
+            errors.push_back({{"frame", animation.frames[k]},
+                              {"rmse", model.errors[k].rmse},
+                              {"bias_mse", model.errors[k].bias_mse},
+                              {"mean_ratio", model.errors[k].mean_ratio}});
+        models.push_back({{"title", model.title}, {"errors", errors}});
+    }
+    return {{"first", animation.first},
+            {"last", animation.last},
+            {"width", animation.width},
+            {"height", animation.height},
+            {"truth_spp", animation.truth_spp},
+            {"updates", animation.updates},
+            {"models", models}};
+}
+
 Json json_of(const SceneReport& scene) {
     Json models = Json::array();
     for (const ModelRun& run : scene.models) models.push_back(json_of(run));
@@ -96,6 +119,8 @@ Json json_of(const SceneReport& scene) {
                                {"seconds", run.seconds},
                                {"rays", run.rays},
                                {"errors", json_of(run.errors)}});
+    Json audits = Json::array();
+    for (const compare::EnergyAudit& audit : scene.audits) audits.push_back(to_json(audit));
     Json effects = Json::array();
     for (const EffectReason& reason : scene.effects)
         effects.push_back(
@@ -113,6 +138,9 @@ Json json_of(const SceneReport& scene) {
             {"fit", fit_json(scene)},
             {"effects", effects},
             {"left_out", scene.left_out},
+            {"animation", animation_json(scene)},
+            {"frontier", scene.frontier ? frontier_json(*scene.frontier) : Json(nullptr)},
+            {"audit", audits},
             {"verdict", verdict_of(scene).all()}};
 }
 
@@ -129,7 +157,9 @@ Json results_json(const Report& report) {
              {{"cpu", report.machine.cpu},
               {"system", report.machine.system},
               {"threads", report.machine.threads}}},
-            {"scenes", scenes}};
+            {"scenes", scenes},
+            {"transfer", report.transfer ? compare::to_json(report.transfer->errors) : Json()},
+            {"shared_fit", report.shared ? compare::to_json(*report.shared) : Json()}};
 }
 
 }  // namespace plumbline::reports

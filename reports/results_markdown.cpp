@@ -8,6 +8,7 @@
 
 #include "reports/frontier_sentences.h"
 #include "reports/pictures.h"
+#include "reports/scene_sections.h"
 #include "reports/shrink.h"
 #include "reports/verdict.h"
 #include "reports/words.h"
@@ -105,21 +106,21 @@ std::string constants_text(const compare::FitResult& fit) {
     return text + "\n" + bullets(fit.notes);
 }
 
-std::string transfer_text(const compare::FitResult& fit) {
-    std::string text =
-        "## Do the constants belong to the method or to the scene?\n\nRMSE of the indirect layer "
-        "with the constants that fit one scene best, tested on others. Where each row is least on "
-        "its own scene, they belong to the scene.\n\n" +
-        head({"Fitted on", "tested on", "RMSE"});
-    for (const compare::TransferError& error : fit.transfer)
-        text += row({fmt::format("{}, frame {}", plain(error.fitted_on), error.fitted_frame),
-                     fmt::format("{}, frame {}", plain(error.tested_on), error.tested_frame),
-                     number_text(error.rmse)});
-    return text + "\nOne set of constants for all scenes at once:\n\n" + constants_text(fit);
+std::string table_text(const StudyTable& table) {
+    std::string text = head(table.head);
+    for (const std::vector<std::string>& cells : table.rows) text += row(cells);
+    return text + "\n";
 }
 
-std::string scene_text(const Report& report, std::size_t index) {
-    const SceneReport& scene = report.scenes[index];
+std::string section_text(const StudySection& section, const std::string& level) {
+    std::string text = level + " " + plain(section.heading) + "\n\n";
+    for (const std::string& paragraph : section.paragraphs) text += plain(paragraph) + "\n\n";
+    for (const StudyTable& table : section.tables)
+        text += plain(table.caption) + ":\n\n" + table_text(table);
+    return text;
+}
+
+std::string scene_text(const SceneReport& scene) {
     const Verdict verdict = verdict_of(scene);
     std::string text =
         fmt::format("## {}, frame {}\n\n{}\n\n![{}: indirect light of the truth", plain(scene.name),
@@ -134,12 +135,14 @@ std::string scene_text(const Report& report, std::size_t index) {
         text += fmt::format("### The thesis's constants (`plumbline fit {}`)\n\n",
                             shell_word(scene.argument)) +
                 constants_text(scene.fit->result);
-    if (index < report.frontiers.size())
+    if (scene.frontier)
         text += fmt::format(
                     "### What accuracy costs in time (`plumbline frontier {} --quick -o "
                     "out/frontier`)\n\n",
                     shell_word(scene.argument)) +
-                bullets(frontier_sentences(report.frontiers[index]));
+                bullets(frontier_sentences(*scene.frontier));
+    if (scene.animation) text += section_text(animation_section(*scene.animation), "###");
+    if (!scene.audits.empty()) text += section_text(audit_section(scene.audits), "###");
     return text;
 }
 
@@ -175,8 +178,11 @@ std::string results_markdown(const Report& report) {
         "with whatever else it was doing.\n\n",
         report.version, report.date, report.machine.cpu, report.machine.threads, report.quality,
         report.command);
-    for (std::size_t i = 0; i < report.scenes.size(); ++i) text += scene_text(report, i);
-    if (report.transfer) text += transfer_text(*report.transfer);
+    for (const SceneReport& scene : report.scenes) text += scene_text(scene);
+    if (report.transfer) text += section_text(transfer_section(*report.transfer), "##");
+    if (report.shared)
+        text += "### One set of constants for all these scenes at once\n\n" +
+                constants_text(*report.shared);
     while (text.ends_with("\n\n")) text.pop_back();
     return text;
 }

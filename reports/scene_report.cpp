@@ -19,12 +19,19 @@ namespace plumbline::reports {
 namespace {
 
 /// What a probe model and a fit take, in samples a pixel of the path tracer, for the time left.
-constexpr double work_of_model = 20;
-constexpr double work_of_fit = 60;
+constexpr double work_of_model = 30;
+constexpr double work_of_fit = 30;
+constexpr double work_of_animation_step = 20;
+constexpr double work_of_frontier = 200;
+constexpr double work_of_audit = 10;
 
-/// Two seeds, for pictures of one seed share their samples, and so their noise.
+constexpr int audited_bounces = 4;
+constexpr int audited_points = 3000;
+
+/// Three seeds, for pictures of one seed share their samples, and so their noise.
 constexpr std::uint64_t truth_seed = 0;
-constexpr std::uint64_t other_seed = 1;
+constexpr std::uint64_t picture_seed = 1;
+constexpr std::uint64_t half_seed = 2;
 
 pathtracer::RenderResult trace(const Scene& scene, int frame, int spp, std::uint64_t seed) {
     pathtracer::RenderOptions options;
@@ -33,22 +40,19 @@ pathtracer::RenderResult trace(const Scene& scene, int frame, int spp, std::uint
     return pathtracer::render(scene, frame, options);
 }
 
-LayerError layer_error(const Image& reference, const Image& test, const std::string& layer) {
+LayerError layer_error(const Image& reference, const Image& test, const std::string& layer,
+                       const Image* half) {
+    compare::ComparisonOptions options;
+    options.halves.test = half;
     return {layer_mean(reference, layer), layer_mean(test, layer),
-            compare::compare_images(reference, test, layer)};
+            compare::compare_images(reference, test, layer, options)};
 }
 
-PictureErrors picture_errors(const Image& reference, const Image& test) {
-    return {layer_error(reference, test, ""), layer_error(reference, test, "indirect")};
-}
-
-/// Of a picture with noise of its own: without its variances the split would call that noise bias.
-PictureErrors noisy_picture_errors(const Image& reference, const Image& test) {
-    PictureErrors errors = picture_errors(reference, test);
-    for (LayerError* error : {&errors.radiance, &errors.indirect})
-        if (error->comparison.noise && !error->comparison.noise->test_variance)
-            error->comparison.noise.reset();
-    return errors;
+/// `half`: the test once more with independent noise, if it has any, which tells that noise from
+/// bias without trusting variances of few samples.
+PictureErrors picture_errors(const Image& reference, const Image& test,
+                             const Image* half = nullptr) {
+    return {layer_error(reference, test, "", half), layer_error(reference, test, "indirect", half)};
 }
 
 /// The words that every command of this scene begins with.
@@ -115,26 +119,49 @@ std::vector<std::string> other_models() {
     return names;
 }
 
+/// The models in motion, the frontier, and where the energy goes.
+void measure_studies(SceneReport& report, const Scene& scene, const Quality& quality,
+                     Stages& stages) {
+    if (moving_frames(scene)) {
+        stages.begin(report.name + ": the animation",
+                     quality.animation.steps * work_of_animation_step);
+        std::vector<TitledOptions> models;
+        for (const ModelRun& run : report.models) models.emplace_back(run.title, run.options);
+        report.animation = measure_animation(scene, models, quality.animation);
+    } else {
+        report.left_out.emplace_back("the error over the animation: nothing moves");
+    }
+    stages.begin(report.name + ": what accuracy costs in time", work_of_frontier);
+    report.frontier = measure_quick_frontier(scene, report.frame);
+    stages.begin(report.name + ": where the energy goes", work_of_audit);
+    for (const ModelRun& run : report.models)
+        if (run.options.set.empty())
+            report.audits.push_back(compare::energy_audit(scene, report.frame, run.options,
+                                                          audited_bounces, audited_points));
+}
+
 }  // namespace
 
 Quality quality_of(bool quick) {
-    if (quick) return {"quick", 64, {1, 4, 16}};
-    return {"default", 512, {1, 4, 16, 64}};
+    if (quick) return {"quick", 64, {1, 4, 16}, {6, 128. * 72., 32}, 240. * 135., 32};
+    return {"default", 512, {1, 4, 16, 64}, {15, 160. * 90., 64}, 320. * 180., 128};
 }
 
 double total_work(const Scene& scene, const Quality& quality) {
     const auto models = static_cast<double>(other_models().size() + (scene.thesis ? 2 : 0));
     double work = quality.truth_spp + models * work_of_model + (scene.thesis ? work_of_fit : 0);
-    for (const int spp : quality.path_tracer_spp) work += spp;
-    return work;
+    for (const int spp : quality.path_tracer_spp) work += 2 * spp;
+    if (moving_frames(scene)) work += quality.animation.steps * work_of_animation_step;
+    return work + work_of_frontier + work_of_audit;
 }
 
 SceneReport measure(const std::string& argument, const Scene& scene, int frame,
                     const Quality& quality, Stages& stages) {
-    std::vector<pathtracer::RenderResult> quick_pictures;
+    std::vector<pathtracer::RenderResult> quick_pictures, halves;
     for (const int spp : quality.path_tracer_spp) {
-        stages.begin(fmt::format("{}: path tracer at {} spp", scene.name, spp), spp);
-        quick_pictures.push_back(trace(scene, frame, spp, other_seed));
+        stages.begin(fmt::format("{}: path tracer at {} spp", scene.name, spp), 2 * spp);
+        quick_pictures.push_back(trace(scene, frame, spp, picture_seed));
+        halves.push_back(trace(scene, frame, spp, half_seed));
     }
     stages.begin(fmt::format("{}: truth at {} spp", scene.name, quality.truth_spp),
                  quality.truth_spp);
@@ -152,9 +179,12 @@ SceneReport measure(const std::string& argument, const Scene& scene, int frame,
                        .left_out = scene.not_simulated};
     report.truth_command = command_words("render", report, scene) +
                            fmt::format(" --spp {} -o truth.exr", quality.truth_spp);
-    for (const pathtracer::RenderResult& picture : quick_pictures)
-        report.path_tracer.push_back({picture.spp, picture.seconds, picture.rays,
-                                      noisy_picture_errors(report.truth.image, picture.image)});
+    for (std::size_t i = 0; i < quick_pictures.size(); ++i) {
+        const pathtracer::RenderResult& picture = quick_pictures[i];
+        report.path_tracer.push_back(
+            {picture.spp, picture.seconds, picture.rays,
+             picture_errors(report.truth.image, picture.image, &halves[i].image)});
+    }
     if (scene.thesis)
         measure_thesis(report, scene, stages);
     else
@@ -166,6 +196,7 @@ SceneReport measure(const std::string& argument, const Scene& scene, int frame,
         options.model = model;
         report.models.push_back(run_model(report, scene, model, model, options));
     }
+    measure_studies(report, scene, quality, stages);
     return report;
 }
 

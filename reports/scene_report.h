@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "compare/comparison.h"
+#include "compare/energy_audit.h"
 #include "compare/fit.h"
 #include "ddgi/render.h"
 #include "pathtracer/render.h"
+#include "reports/animation.h"
+#include "reports/frontier.h"
 #include "reports/stages.h"
 #include "scenes/effects.h"
 
@@ -20,6 +23,9 @@ struct Quality {
     std::string name;
     int truth_spp;
     std::vector<int> path_tracer_spp;  ///< the pictures behind the path tracer's line
+    AnimationEffort animation{};
+    double transfer_pixels = 0;  ///< of the pictures between which constants are carried
+    int transfer_spp = 0;        ///< of their truths
 };
 
 /// The default quality, or the one of --quick.
@@ -79,7 +85,10 @@ struct SceneReport {
     std::vector<PathTracerRun> path_tracer;
     std::optional<FitRun> fit;
     std::vector<EffectReason> effects;
-    std::vector<std::string> left_out;  ///< what was not measured, and why: one line each
+    std::vector<std::string> left_out;           ///< what was not measured, and why: one line each
+    std::optional<AnimationErrors> animation{};  ///< none if nothing moves
+    std::optional<Frontier> frontier{};
+    std::vector<compare::EnergyAudit> audits{};  ///< of each model, with the constants as published
 };
 
 /// What measure() will take, in the unit of Stages.

@@ -4,7 +4,6 @@
 #include <fmt/chrono.h>
 
 #include <array>
-#include <cmath>
 #include <ctime>
 
 #include "reports/machine.h"
@@ -21,56 +20,6 @@ using nlohmann::json;
 /// In the order in which they build on each other.
 constexpr std::array scripts{"chart.min.js", "theme.js", "tables.js", "study.js"};
 
-json numbers(const std::vector<double>& values) {
-    json list = json::array();
-    for (const double value : values) list.push_back(std::isfinite(value) ? json(value) : json());
-    return list;
-}
-
-json chart_json(const StudyChart& chart) {
-    json series = json::array();
-    for (const StudySeries& one : chart.series)
-        series.push_back({{"label", one.label},
-                          {"color", one.color},
-                          {"x", numbers(one.x)},
-                          {"y", numbers(one.y)},
-                          {"dashed", one.dashed},
-                          {"dots", one.dots},
-                          {"line", one.line},
-                          {"names", one.names}});
-    return {{"x_title", chart.x_title}, {"y_title", chart.y_title}, {"series", series},
-            {"labels", chart.labels},   {"marks", chart.marks},     {"log_x", chart.log_x},
-            {"log_y", chart.log_y}};
-}
-
-json table_context(const StudyTable& table) {
-    json rows = json::array();
-    for (const std::vector<std::string>& row : table.rows) {
-        rows.push_back({{"name", row.front()}, {"cells", std::vector(row.begin() + 1, row.end())}});
-    }
-    return {{"caption", table.caption}, {"head", table.head}, {"rows", rows}};
-}
-
-/// What the template shows of a section; its charts are appended to `charts` and named by number.
-json section_context(const StudySection& section, json& charts) {
-    json tables = json::array();
-    for (const StudyTable& table : section.tables) tables.push_back(table_context(table));
-    json canvases = json::array();
-    for (const StudyChart& chart : section.charts) {
-        canvases.push_back({{"number", std::to_string(charts.size())}, {"caption", chart.caption}});
-        charts.push_back(chart_json(chart));
-    }
-    json pictures = json::array();
-    for (const StudyPicture& picture : section.pictures)
-        pictures.push_back({{"uri", picture.uri}, {"caption", picture.caption}});
-    return {{"heading", section.heading},
-            {"paragraphs", section.paragraphs},
-            {"tables", tables},
-            {"charts", canvases},
-            {"has_pictures", !section.pictures.empty()},
-            {"pictures", pictures}};
-}
-
 }  // namespace
 
 std::string study_html(const StudyPage& page) {
@@ -78,7 +27,7 @@ std::string study_html(const StudyPage& page) {
     json charts = json::array();
     json sections = json::array();
     for (const StudySection& section : page.sections)
-        sections.push_back(section_context(section, charts));
+        sections.push_back(section_context(section, "h2", charts));
     json texts = json::array();
     for (const char* name : scripts) texts.push_back({{"text", page_file(name)}});
     return fill_template(
@@ -94,7 +43,8 @@ std::string study_html(const StudyPage& page) {
          {"sections", sections},
          {"command", page.command},
          {"data", script_json({{"charts", charts}})},
-         {"scripts", texts}});
+         {"scripts", texts}},
+        {"head.html", "section.html"});
 }
 
 }  // namespace plumbline::reports

@@ -78,6 +78,17 @@ std::string constant_verdict(const compare::FittedConstant& constant) {
     return constant.identifiable ? "yes" : "no, only together with others";
 }
 
+std::string error_text(double standard_error) {
+    return std::isfinite(standard_error) ? "\u00b1 " + number_text(standard_error) : "unbounded";
+}
+
+/// 95 % of a normal distribution.
+std::string interval_text(double value, double standard_error) {
+    if (!std::isfinite(standard_error)) return "unbounded";
+    return fmt::format("{} to {}", number_text(value - 1.96 * standard_error),
+                       number_text(value + 1.96 * standard_error));
+}
+
 }  // namespace
 
 std::string model_color(std::size_t index) {
@@ -144,20 +155,19 @@ json constants_table(const SceneReport& report) {
     const compare::FitResult& fit = report.fit->result;
     json constants = json::array();
     for (const compare::FittedConstant& constant : fit.constants)
-        constants.push_back(
-            {{"name", constant.name},
-             {"published", published_text(report, constant.name)},
-             {"value", number_text(constant.value)},
-             {"standard_error", std::isfinite(constant.standard_error)
-                                    ? "\u00b1 " + number_text(constant.standard_error)
-                                    : "unbounded"},
-             {"verdict", constant_verdict(constant)}});
+        constants.push_back({{"name", constant.name},
+                             {"published", published_text(report, constant.name)},
+                             {"value", number_text(constant.value)},
+                             {"standard_error", error_text(constant.standard_error)},
+                             {"interval", interval_text(constant.value, constant.standard_error)},
+                             {"verdict", constant_verdict(constant)}});
     for (const compare::KnownCombination& combination : fit.combinations)
         constants.push_back(
             {{"name", combination.expression},
              {"published", no_value},
              {"value", number_text(combination.value)},
-             {"standard_error", "\u00b1 " + number_text(combination.standard_error)},
+             {"standard_error", error_text(combination.standard_error)},
+             {"interval", interval_text(combination.value, combination.standard_error)},
              {"verdict", "yes"}});
     return {{"summary",
              fmt::format("Fitted in {}: RMSE (indirect) {} before, {} after; reduced chi-square {} "

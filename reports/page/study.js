@@ -20,11 +20,11 @@ const marksPlugin = {
   },
 };
 
-function axis(title, logarithmic) {
+function axis(title, logarithmic, fromZero) {
   const color = themeColor("ink");
   return {
     type: logarithmic ? "logarithmic" : "linear",
-    beginAtZero: !logarithmic,
+    beginAtZero: fromZero,
     title: { display: title !== "", text: title, color },
     ticks: { color, maxTicksLimit: 9, callback: (value) => (!logarithmic || /^[125]e/.test((+value).toExponential()) ? String(+Number(value).toPrecision(3)) : null) },
     grid: { color: themeColor("line") },
@@ -47,7 +47,7 @@ function pointText({ dataset, raw }) {
 function studyChart(canvas, chart) {
   const bars = chart.labels.length > 0;
   const color = themeColor("ink");
-  const x = bars ? { ticks: { color }, grid: { display: false } } : axis(chart.x_title, chart.log_x);
+  const x = bars ? { ticks: { color }, grid: { display: false } } : axis(chart.x_title, chart.log_x, false);
   return new Chart(canvas, {
     type: bars ? "bar" : "scatter",
     data: bars
@@ -56,14 +56,14 @@ function studyChart(canvas, chart) {
     plugins: [marksPlugin],
     options: {
       animation: false, maintainAspectRatio: false,
-      scales: { x, y: axis(chart.y_title, chart.log_y) },
+      scales: { x, y: axis(chart.y_title, chart.log_y, !chart.log_y) },
       plugins: { legend: { labels: { color, boxHeight: 2 } }, marks: { at: chart.marks }, ...(bars ? {} : { tooltip: { callbacks: { label: pointText } } }) },
     },
   });
 }
 
-for (const canvas of document.querySelectorAll("canvas[data-chart]")) {
-  const drawn = report.charts[Number(canvas.dataset.chart)];
+for (const canvas of document.querySelectorAll("canvas[data-study]")) {
+  const drawn = report.charts[Number(canvas.dataset.study)];
   let chart = studyChart(canvas, drawn);
   onThemeChange.push(() => {
     chart.destroy();

@@ -6,67 +6,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
-#include <random>
 
-#include "compare/layer_fit.h"
 #include "compare/thesis_prediction.h"
 #include "ddgi/render.h"
 #include "scenes/errors.h"
-#include "scenes/scene_files.h"
-#include "tests/compare/test_images.h"
+#include "tests/compare/fit_scene.h"
 
 using namespace plumbline;
 using namespace plumbline::compare;
-
-namespace {
-
-constexpr int width = 64;
-constexpr int height = 36;
-
-/// The Cornell Box with an eighth of its probes. They see little of the walls, one cell away at
-/// most, so the probe light is turned up to what the full grid gives.
-Scene small_scene() {
-    Scene scene = load_scene("cornell-box");
-    scene.camera.width = width;
-    scene.camera.height = height;
-    scene.probes->spacing *= 2;
-    scene.probes->counts = (scene.probes->counts - 1) / 2 + 1;
-    scene.thesis->falloffRegulator *= 4;
-    scene.thesis->probeBrightness *= 300;
-    return scene;
-}
-
-std::vector<std::uint32_t> every_pixel() {
-    std::vector<std::uint32_t> pixels(width * height);
-    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = std::uint32_t(i);
-    return pixels;
-}
-
-/// What the model itself shows at these constants, with Gaussian noise of a known variance.
-Image synthetic_truth(const Scene& scene, const Constants<double>& constants, float sigma,
-                      unsigned seed) {
-    const ThesisPicture picture(scene, 0, width, height);
-    const auto radiance = picture.indirect<double>(constants, every_pixel());
-    Image truth(width, height);
-    const auto indirect = truth.layer("indirect"), variance = truth.layer("variance_indirect");
-    std::mt19937 random(seed);
-    std::normal_distribution<float> normal;
-    for (std::size_t i = 0; i < truth.pixels(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float s = sigma * (0.5f + float(i % width) / width);
-            indirect[c][i] = float(radiance[i * 3 + c]) + s * normal(random);
-            variance[c][i] = s * s;
-        }
-    return truth;
-}
-
-const FittedConstant& constant(const FitResult& result, const std::string& name) {
-    for (const FittedConstant& one : result.constants)
-        if (one.name == name) return one;
-    throw std::out_of_range(name);
-}
-
-}  // namespace
 
 TEST_CASE("the fit's picture is the renderer's", "[compare][fit]") {
     const Scene scene = small_scene();
@@ -93,7 +40,7 @@ TEST_CASE("derivatives of the residuals equal finite differences", "[compare][fi
         GENERATE(Constants<double>{2500, 0.1, 6000, 0}, Constants<double>{1000, 2.1, 2000, 0});
     const Image truth = synthetic_truth(scene, {2000, 0.2, 9000, 0}, 0.01f, 1);
     const Observations observations(FitCase{&scene, 0, &truth});
-    const ThesisPrediction prediction({&observations, 1}, {{0, 1, 2, 3}}, false);
+    const ThesisPrediction prediction({&observations, 1}, {{0, 1, 2, 3}}, {{1, 1, 1, 1}}, false);
     const std::vector<double> point(at.begin(), at.end());
     Jacobian jacobian;
     const std::vector<double> values = prediction.predict(point, &jacobian);
@@ -201,25 +148,6 @@ TEST_CASE("a misfit that noise does not explain raises chi-square and widens err
     CHECK(wrong.rmse_after <= wrong.rmse_gain * 1.0001);
 }
 
-TEST_CASE("several scenes share constants, and each fit is tested on the others",
-          "[compare][fit]") {
-    const Scene a = small_scene();
-    Scene b = small_scene();
-    b.name = "other";
-    b.lights[0].position.x += 90;
-    const Image truth_a = synthetic_truth(a, {2000, 0.105, 18000, 0}, 0.01f, 7);
-    const Image truth_b = synthetic_truth(b, {2000, 0.105, 9000, 0}, 0.01f, 8);
-    const FitResult result = fit({{&a, 0, &truth_a}, {&b, 0, &truth_b}});
-    REQUIRE(result.transfer.size() == 4);
-    for (const TransferError& error : result.transfer)
-        if (error.fitted_on == error.tested_on)
-            CHECK(error.rmse == Approx(0.0104).epsilon(0.05));
-        else
-            CHECK(error.rmse > 0.02);
-    CHECK(constant(result, "probeBrightness").value > 9300);
-    CHECK(constant(result, "probeBrightness").value < 17700);
-}
-
 TEST_CASE("a fit to nothing is refused", "[compare][fit]") {
     const Scene scene = small_scene();
     CHECK_THROWS_AS(fit({}), FitError);
@@ -269,7 +197,7 @@ TEST_CASE("the derivative in the feedback's constant equals finite differences",
     scene.probes->counts = (scene.probes->counts - 1) / 2 + 1;
     const Image truth = synthetic_truth(small_scene(), {2000, 0.2, 9000, 0}, 0.01f, 1);
     const Observations observations(FitCase{&scene, 0, &truth});
-    const ThesisPrediction prediction({&observations, 1}, {{0, 1, 2, 3}}, true);
+    const ThesisPrediction prediction({&observations, 1}, {{0, 1, 2, 3}}, {{1, 1, 1, 1}}, true);
     const double at = GENERATE(0.0, 1.0);
     Jacobian jacobian;
     const auto values = prediction.predict({6000, 0.2, 9000, at}, &jacobian);
@@ -299,107 +227,4 @@ TEST_CASE("robust losses are squares for small residuals and grow as published f
     CHECK(std::pow(robust(Loss::Cauchy, 10).value, 2) ==
           Approx(2.3849 * 2.3849 * std::log(1 + 100 / (2.3849 * 2.3849))));
     CHECK(robust(Loss::Cauchy, 0).slope == 1);
-}
-
-namespace {
-
-/// Two layers, and a reference that is a known sum of them with noise of known variance.
-struct Passes {
-    Image a = noise_image(120, 90, 1, 1.f), b = noise_image(120, 90, 2, 1.f);
-    Image reference{120, 90};
-
-    explicit Passes(unsigned seed, float sigma = 0.05f) {
-        std::mt19937 random(seed);
-        std::normal_distribution<float> normal(0.f, sigma);
-        for (std::size_t c = 0; c < 3; ++c)
-            for (std::size_t i = 0; i < a.pixels(); ++i) {
-                reference.layer("")[c][i] =
-                    1.7f * a.layer("")[c][i] + 0.4f * b.layer("")[c][i] + normal(random);
-                reference.layer("variance")[c][i] = sigma * sigma;
-            }
-    }
-    FitResult fit(Loss loss = Loss::Squares) const {
-        LayerFitSettings settings;
-        settings.loss = loss;
-        return fit_layers({{"a", &a, ""}, {"b", &b, ""}}, reference, settings);
-    }
-};
-
-}  // namespace
-
-TEST_CASE("gains of layers are found within their standard errors", "[compare][fit]") {
-    double z2 = 0;
-    for (unsigned seed = 10; seed < 18; ++seed) {
-        const FitResult result = Passes(seed).fit();
-        REQUIRE(result.constants.size() == 2);
-        z2 += std::pow((result.constants[0].value - 1.7) / result.constants[0].standard_error, 2);
-        z2 += std::pow((result.constants[1].value - 0.4) / result.constants[1].standard_error, 2);
-        CHECK(result.reduced_chi_square == Approx(1).margin(0.03));
-        // Independent noise: the bootstrap over tiles agrees, and is not needed.
-        for (const FittedConstant& gain : result.constants) {
-            CHECK(gain.standard_error == gain.standard_error_covariance);
-            CHECK(gain.standard_error_bootstrap ==
-                  Approx(gain.standard_error_covariance).epsilon(0.35));
-        }
-    }
-    // Chi-square with 16 degrees of freedom: outside of 4 to 37 in 0.3 % of cases.
-    CHECK(z2 > 4);
-    CHECK(z2 < 37);
-}
-
-TEST_CASE("errors that are shared by whole tiles widen the standard errors of gains",
-          "[compare][fit]") {
-    // A misfit that is the same over 9 x 9 pixels, proportional to a layer: least squares takes
-    // each pixel as new evidence for it, of which there is a hundredth.
-    double z2 = 0;
-    for (unsigned seed = 0; seed < 8; ++seed) {
-        Passes passes(seed, 0.01f);
-        std::mt19937 random(100 + seed);
-        std::normal_distribution<float> normal(0.f, 0.2f);
-        std::vector<float> of_tile(14 * 10);
-        for (float& value : of_tile) value = normal(random);
-        for (std::size_t c = 0; c < 3; ++c)
-            for (std::size_t i = 0; i < passes.a.pixels(); ++i)
-                passes.reference.layer("")[c][i] +=
-                    of_tile[i / 120 / 9 * 14 + i % 120 / 9] * passes.a.layer("")[c][i];
-        const FitResult result = passes.fit();
-        const FittedConstant& gain = result.constants[0];
-        CHECK(gain.standard_error == gain.standard_error_bootstrap);
-        CHECK(gain.standard_error > 3 * gain.standard_error_covariance);
-        z2 += std::pow((gain.value - 1.7) / gain.standard_error, 2);
-    }
-    // Chi-square with 8 degrees of freedom: outside of 1 to 24 in 0.4 % of cases.
-    CHECK(z2 > 1);
-    CHECK(z2 < 24);
-}
-
-TEST_CASE("a robust loss keeps gains where squares are led astray", "[compare][fit]") {
-    Passes passes(3);
-    for (std::size_t i = 0; i < passes.a.pixels(); i += 20)
-        for (auto& channel : passes.reference.layer(""))
-            channel[i] += 30.f * passes.a.layer("")[0][i];
-    CHECK(std::abs(passes.fit().constants[0].value - 1.7) > 0.3);
-    for (const Loss loss : {Loss::Huber, Loss::Cauchy})
-        CHECK(passes.fit(loss).constants[0].value == Approx(1.7).margin(0.05));
-}
-
-TEST_CASE("layers that are the same are known by the sum of their gains only", "[compare][fit]") {
-    const Passes passes(4);
-    const FitResult result = fit_layers(
-        {{"a", &passes.a, ""}, {"b", &passes.b, ""}, {"c", &passes.a, ""}}, passes.reference, {});
-    REQUIRE(result.combinations.size() == 1);
-    CHECK(result.combinations[0].expression == "a + c");
-    CHECK(std::abs(result.combinations[0].value - 1.7) < 3 * result.combinations[0].standard_error);
-    CHECK_FALSE(result.constants[0].identifiable);
-    CHECK(result.constants[1].identifiable);
-}
-
-TEST_CASE("gains keep within their bounds and say that they reached one", "[compare][fit]") {
-    const Passes passes(5);
-    LayerFitSettings settings;
-    settings.upper = 1.2;
-    const FitResult result =
-        fit_layers({{"a", &passes.a, ""}, {"b", &passes.b, ""}}, passes.reference, settings);
-    CHECK(result.constants[0].value == Approx(1.2));
-    CHECK_THAT(result.notes.back(), Catch::Contains("a ends at its bound 1.2"));
 }

@@ -20,6 +20,7 @@ TEST_CASE("independent noise halves with each doubling of the block", "[compare]
     for (const ScaleError& error : errors)
         CHECK(error.rmse == Approx(error.if_noise).epsilon(0.15));
     CHECK(scale_slope(errors).value() == Approx(-1).margin(0.05));
+    CHECK(scale_verdict(errors).starts_with("noise"));
 }
 
 TEST_CASE("a constant bias is the same at every block width", "[compare]") {
@@ -29,6 +30,7 @@ TEST_CASE("a constant bias is the same at every block width", "[compare]") {
     REQUIRE(errors.size() == 6);  // a block of 64 does not fit
     for (const ScaleError& error : errors) CHECK(error.rmse == Approx(0.25));
     CHECK(scale_slope(errors).value() == Approx(0).margin(1e-9));
+    CHECK(scale_verdict(errors) == "structure or bias: 16 times what noise leaves at width 16");
 }
 
 TEST_CASE("errors that cancel within two pixels vanish at width two", "[compare]") {
@@ -37,5 +39,6 @@ TEST_CASE("errors that cancel within two pixels vanish at width two", "[compare]
     const auto errors = error_by_scale(pair_layers(zero, stripes, ""));
     CHECK(errors[0].rmse == Approx(1));
     CHECK(errors[1].rmse == 0);
+    CHECK(scale_verdict(errors).starts_with("errors that cancel"));
     CHECK_FALSE(scale_slope(errors));
 }

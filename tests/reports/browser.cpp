@@ -103,6 +103,12 @@ TEST_CASE("in a browser every control of the page does what it says", "[reports]
     CHECK(seen["least_ratio"] == "thesis");
     CHECK(seen["sorted"] == "descending");
     CHECK(seen["charts"] == nlohmann::json({5, 2}));
+    // The error by scale: each picture's line and its line of noise. The animation: a line a model.
+    REQUIRE(seen["studies"].size() == 2);
+    CHECK(seen["studies"][0].size() == 8);
+    CHECK(seen["studies"][1][0] == nlohmann::json({"thesis", 3}));
+    REQUIRE(seen["hover"].size() >= 1);
+    CHECK(seen["hover"][0] == "thesis: 275, 0.387");
     CHECK(seen["wide"] == false);
 }
 

@@ -47,7 +47,7 @@ addEventListener("load", async () => {
   seen.map = await changes(() => choose("B", "signed thesis"));
   seen.bars = [...document.querySelectorAll(".bars .ticks span")].map((tick) => tick.textContent);
 
-  const table = document.querySelector("table.sortable");
+  const table = [...document.querySelectorAll("table.sortable")].find((one) => one.caption?.textContent === "Indirect light");
   const first = () => table.tBodies[0].rows[0].cells[0].textContent;
   table.tHead.rows[0].cells[2].querySelector("button").click();
   seen.least_ratio = first();
@@ -59,6 +59,14 @@ addEventListener("load", async () => {
   document.getElementById("theme").click();
   seen.theme = paper() !== before;
   seen.charts = [...document.querySelectorAll("canvas[data-chart]")].map((chart) => Chart.getChart(chart).data.datasets.length);
+  const studies = [...document.querySelectorAll("canvas[data-study]")].map((canvas) => ({ canvas, chart: Chart.getChart(canvas) }));
+  seen.studies = studies.map(({ chart }) => chart.data.datasets.map(({ label, data }) => [label, data.length]));
+  const { canvas: drawn, chart } = studies[1];
+  const point = chart.getDatasetMeta(0).data[1];
+  const box = drawn.getBoundingClientRect();
+  drawn.dispatchEvent(new MouseEvent("mousemove", { clientX: box.left + point.x, clientY: box.top + point.y, bubbles: true }));
+  await new Promise((done) => setTimeout(done, 200));
+  seen.hover = (chart.tooltip?.body ?? []).map(({ lines }) => lines[0]);
   seen.wide = document.documentElement.scrollWidth > document.documentElement.clientWidth;
 
   const result = document.createElement("pre");

@@ -24,12 +24,17 @@ void check_keys(const nlohmann::ordered_json& json, const std::vector<std::strin
 
 TEST_CASE("results.json has every key that its header promises", "[reports][json]") {
     const nlohmann::ordered_json json = results_json(synthetic_report(32, 18, 2));
-    check_keys(json, {"version", "date", "command", "quality", "machine", "scenes"});
+    check_keys(json, {"version", "date", "command", "quality", "machine", "scenes", "transfer",
+                      "shared_fit"});
     REQUIRE(json["scenes"].size() == 2);
     const nlohmann::ordered_json& scene = json["scenes"][1];
-    check_keys(scene,
-               {"scene", "description", "hash", "frame", "width", "height", "truth", "models",
-                "path_tracer", "path_tracer_line", "fit", "effects", "left_out", "verdict"});
+    check_keys(scene, {"scene", "description", "hash", "frame", "width", "height", "truth",
+                       "models", "path_tracer", "path_tracer_line", "fit", "effects", "left_out",
+                       "animation", "frontier", "audit", "verdict"});
+    check_keys(scene["animation"],
+               {"first", "last", "width", "height", "truth_spp", "updates", "models"});
+    CHECK(scene["animation"]["models"][0]["errors"][1]["frame"] == 275);
+    CHECK(json["transfer"].size() == 4);
     check_keys(scene["truth"],
                {"command", "spp", "seconds", "rays", "relmse_estimate", "mean", "noise_rmse"});
     REQUIRE(scene["models"].size() == 3);

@@ -14,8 +14,9 @@ namespace {
 
 Report published_report() {
     Report report = synthetic_report(32, 18);
-    report.transfer = report.scenes[0].fit->result;
-    report.transfer->transfer = {{"one", 0, "other", 350, .123}};
+    report.shared = report.scenes[0].fit->result;
+    report.transfer =
+        Transfer{32, 18, 64, {{"one", 0, "one", 0, .1}, {"one", 0, "other", 350, .123}}};
     return report;
 }
 
@@ -32,7 +33,7 @@ TEST_CASE("the published results hold each model with its error and command",
         CHECK(text.find(number_text(run.errors.indirect.comparison.metrics.rmse)) !=
               std::string::npos);
     }
-    CHECK(text.find("| one, frame 0 | other, frame 350 | 0.123 |") != std::string::npos);
+    CHECK(text.find("| one, frame 0 | 0.100 (1.00 \u00d7) | 0.123 |") != std::string::npos);
     CHECK(text.find("no, only together with others") != std::string::npos);
     CHECK(text.find("](results-synthetic-0.png)") != std::string::npos);
 }

@@ -117,6 +117,18 @@ SceneReport scene_report(int width, int height, const std::string& text) {
         scene.path_tracer.push_back(
             {spp, 0.19 * spp, 2'400'000u * static_cast<unsigned>(spp), errors_of(truth, image)});
     }
+    scene.animation =
+        AnimationErrors{200,
+                        350,
+                        width,
+                        height,
+                        64,
+                        10,
+                        {200, 275, 350},
+                        {.2, .2, .2},
+                        {{"thesis", {{.08, .38, .14}, {.08, .39, .15}, {.09, .4, .16}}},
+                         {text, {{1, .02, 1e-4}, {.98, .04, 1e-3}, {1, .02, -1e-6}}}}};
+    scene.audits = {{text, "conserving", 350, 10, 0, 5, 0, {{1, 4, 1, 3, 3.03, .03, .01}}}};
     return scene;
 }
 
@@ -132,6 +144,14 @@ Report synthetic_report(int width, int height, int scenes, bool hostile) {
     for (int i = 0; i < scenes; ++i)
         report.scenes.push_back(
             scene_report(width, height, hostile ? hostile_text : "synthetic-" + std::to_string(i)));
+    const std::string& first = report.scenes.front().name;
+    report.transfer = Transfer{width,
+                               height,
+                               64,
+                               {{first, 350, first, 350, .1},
+                                {first, 350, "courtyard", 0, .9},
+                                {"courtyard", 0, first, 350, .3},
+                                {"courtyard", 0, "courtyard", 0, .2}}};
     return report;
 }
 
