@@ -62,7 +62,7 @@ StudyChart chart_of(const Frontier& frontier, const std::vector<TimedError>& poi
     StudyChart chart;
     chart.caption = caption;
     chart.x_title = "seconds";
-    chart.y_title = "RMSE of the indirect layer, the truth's noise taken off";
+    chart.y_title = "RMSE, the truth's noise taken off";
     chart.log_x = chart.log_y = true;
     const auto [quickest, slowest] = std::ranges::minmax_element(points, {}, &TimedError::seconds);
     const double from = quickest->seconds;
@@ -140,9 +140,11 @@ StudySection budget_section(const Frontier& frontier, Budget budget, const std::
 }  // namespace
 
 std::vector<StudySection> frontier_sections(const Frontier& frontier) {
-    return {budget_section(frontier, Budget::Still, "A still from nothing",
-                           "Error against the time of a still from nothing, both axes logarithmic; "
-                           "dashed: each method's least error, and the noise of the truth"),
+    return {budget_section(
+                frontier, Budget::Still, "A still from nothing",
+                "Error against the time of a still from nothing, both axes logarithmic; "
+                "dashed: each method's least error, the power law of the path tracer, and the "
+                "noise of the truth"),
             budget_section(frontier, Budget::Frame, "One more frame",
                            "Error against the time of one more frame, the probes settled, the path "
                            "tracer beginning anew"),

@@ -39,6 +39,11 @@ function lineSet({ label, color, x, y, dashed, dots, line, names }) {
   };
 }
 
+/** Whether the legend names a series: a dashed companion of a line of its colour, the caption does. */
+function inLegend({ dashed, color }, all) {
+  return !dashed || !all.some((other) => !other.dashed && other.color === color);
+}
+
 /** What the pointer reads off a point. */
 function pointText({ dataset, raw }) {
   return `${dataset.label}${raw.name ? `, ${raw.name}` : ""}: ${raw.x.toPrecision(3)}, ${raw.y.toPrecision(3)}`;
@@ -57,7 +62,7 @@ function studyChart(canvas, chart) {
     options: {
       animation: false, maintainAspectRatio: false,
       scales: { x, y: axis(chart.y_title, chart.log_y, !chart.log_y) },
-      plugins: { legend: { labels: { color, boxHeight: 2 } }, marks: { at: chart.marks }, ...(bars ? {} : { tooltip: { callbacks: { label: pointText } } }) },
+      plugins: { legend: { labels: { color, boxHeight: 2, filter: ({ datasetIndex }) => inLegend(chart.series[datasetIndex], chart.series) } }, marks: { at: chart.marks }, ...(bars ? {} : { tooltip: { callbacks: { label: pointText } } }) },
     },
   });
 }

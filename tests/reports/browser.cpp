@@ -45,18 +45,30 @@ struct Folder {
     }
 };
 
-/// The page after its scripts ran, from headless Chromium; what the console said in `console`.
+/// Holds the page as wide as it is asked for, which Chromium's own windows are not below 500
+/// pixels, and shows what it tells.
+std::string frame_around(const std::string& page, int width) {
+    return "<iframe src=\"" + page + "\" style=\"width:" + std::to_string(width) +
+           "px;height:900px;border:0\"></iframe><script>addEventListener(\"message\", ({ data }) "
+           "=> "
+           "{ const seen = document.createElement(\"pre\"); seen.id = \"seen\"; "
+           "seen.textContent = data; document.body.append(seen); });</script>";
+}
+
+/// What a page around `html` shows after all scripts ran, from headless Chromium; what the console
+/// said in `console`.
 std::string page_in_browser(const std::string& html, int width, std::string& console) {
     const Folder folder;
-    const fs::path page = folder.path / "page.html";
-    std::ofstream(page) << html;
+    std::ofstream(folder.path / "page.html") << html;
+    const fs::path page = folder.path / "frame.html";
+    std::ofstream(page) << frame_around("page.html", width);
     const fs::path log = folder.path / "log";
     const std::string dom = output_of(
         "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
         "--disable-background-networking --disable-component-update --disable-sync "
         "--virtual-time-budget=20000 --enable-logging=stderr --dump-dom --user-data-dir=" +
-        (folder.path / "profile").string() + " --window-size=" + std::to_string(width) +
-        ",900 file://" + page.string() + " 2>" + log.string());
+        (folder.path / "profile").string() + " --window-size=1400,1000 file://" + page.string() +
+        " 2>" + log.string());
     console.clear();
     std::ifstream lines(log);
     for (std::string line; std::getline(lines, line);)
