@@ -28,14 +28,16 @@ namespace {
 /// Pixels of a picture without --size, in the camera's own proportions: 480 x 270 at 16:9.
 constexpr double default_pixels = 480. * 270.;
 
-/// What measure_constants() takes, in the unit of Stages.
+/// What measure_constants() and all hard cases take, in the unit of Stages.
 constexpr double work_of_transfer = 120;
+constexpr double work_of_hard_cases = 300;
 
 struct Options {
     CommonOptions common;
     std::vector<std::string> scenes;
     std::filesystem::path folder;
     bool quick = false;
+    bool hard_cases = false;
     bool publish = false;
     std::filesystem::path results;  ///< where to publish; empty: in the sources
 };
@@ -62,6 +64,7 @@ std::string command_of(const Options& options) {
     if (options.common.frame) command += fmt::format(" --frame {}", *options.common.frame);
     if (options.common.threads > 0) command += fmt::format(" --threads {}", options.common.threads);
     if (options.quick) command += " --quick";
+    if (options.hard_cases) command += " --hard-cases";
     if (options.publish) command += " --publish";
     if (!options.results.empty())
         command += " --results " + reports::shell_word(options.results.string());
@@ -115,11 +118,15 @@ void run(const Options& options) {
         .quality = quality.name,
         .machine = reports::this_machine(),
         .scenes = {}};
-    reports::Stages stages(work + work_of_transfer);
+    reports::Stages stages(work + work_of_transfer + (options.hard_cases ? work_of_hard_cases : 0));
     for (const Subject& subject : subjects)
         report.scenes.push_back(
             reports::measure(subject.argument, subject.scene, subject.frame, quality, stages));
     measure_constants(report, subjects, quality, stages);
+    if (options.hard_cases) {
+        stages.begin("the hard cases", work_of_hard_cases);
+        report.hard_cases = reports::run_cases(reports::hard_cases(), [](const auto&) {});
+    }
     const std::string results = reports::results_json(report).dump(2) + "\n";
     const std::string page = reports::page_html(report);
     write_text(options.folder / "results.json", results);
@@ -141,6 +148,8 @@ void add_report_command(CLI::App& app) {
     command->add_option("-o,--output", options->folder, "Folder for index.html and results.json")
         ->required();
     command->add_flag("--quick", options->quick, "Fewer samples: more noise, a third of the time");
+    command->add_flag("--hard-cases", options->hard_cases,
+                      "Also run the hard cases of `plumbline stress` and show their table");
     command->add_flag("--publish", options->publish,
                       "Also write the results as Markdown with small pictures");
     command->add_option("--results", options->results,

@@ -162,8 +162,10 @@ json scene_context(const SceneReport& report, std::size_t index, int block, json
 
 /// What several scenes tell together.
 std::vector<StudySection> between_scenes(const Report& report) {
-    if (!report.transfer) return {};
-    return {transfer_section(*report.transfer)};
+    std::vector<StudySection> sections;
+    if (report.transfer) sections.push_back(transfer_section(*report.transfer));
+    if (!report.hard_cases.empty()) sections.push_back(stress_section(report.hard_cases));
+    return sections;
 }
 
 json formulas_context() {
@@ -200,7 +202,7 @@ json page_context(const Report& report, int block, json& charts) {
             {"style", page_style()},
             {"scripts", scripts_context()},
             {"scenes", scenes},
-            {"has_between", report.transfer.has_value()},
+            {"has_between", !between_scenes(report).empty()},
             {"between", sections_context(between_scenes(report), "h2", charts)},
             {"formulas", formulas_context()},
             {"limits", limits}};

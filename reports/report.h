@@ -6,6 +6,7 @@
 
 #include "reports/machine.h"
 #include "reports/scene_report.h"
+#include "reports/stress.h"
 #include "reports/transfer.h"
 
 namespace plumbline::reports {
@@ -20,6 +21,7 @@ struct Report {
     std::vector<SceneReport> scenes;
     std::optional<Transfer> transfer{};  ///< none without a scene that has the thesis's constants
     std::optional<compare::FitResult> shared{};  ///< one fit to all such scenes, if several
+    std::vector<CaseResult> hard_cases{};        ///< if they were asked for
 };
 
 }  // namespace plumbline::reports

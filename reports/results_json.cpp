@@ -159,6 +159,7 @@ Json results_json(const Report& report) {
               {"threads", report.machine.threads}}},
             {"scenes", scenes},
             {"transfer", report.transfer ? compare::to_json(report.transfer->errors) : Json()},
+            {"hard_cases", report.hard_cases.empty() ? Json() : to_json(report.hard_cases)},
             {"shared_fit", report.shared ? compare::to_json(*report.shared) : Json()}};
 }
 

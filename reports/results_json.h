@@ -16,7 +16,8 @@ namespace plumbline::reports {
 /// path_tracer [{spp, seconds, rays, errors}], path_tracer_line {slope, equal_error_seconds {id:
 /// seconds}}, fit, effects, left_out, animation {first, last, width, height, truth_spp, updates,
 /// models [{title, errors [{frame, rmse, bias_mse, mean_ratio}]}]}, frontier and audit as those
-/// commands print them, verdict}], transfer and shared_fit as `fit --json` prints them. Each of
+/// commands print them, verdict}], transfer and shared_fit as `fit --json` prints
+/// them, hard_cases as `stress --json`. Each of
 /// errors is what `compare --json` prints, with reference_mean, test_mean and mean_ratio.
 nlohmann::ordered_json results_json(const Report& report);
 

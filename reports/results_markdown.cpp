@@ -183,6 +183,7 @@ std::string results_markdown(const Report& report) {
     if (report.shared)
         text += "### One set of constants for all these scenes at once\n\n" +
                 constants_text(*report.shared);
+    if (!report.hard_cases.empty()) text += section_text(stress_section(report.hard_cases), "##");
     while (text.ends_with("\n\n")) text.pop_back();
     return text;
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 namespace plumbline::reports {
 
@@ -41,7 +40,7 @@ std::string to_text(const CaseResult& result) {
 
 nlohmann::ordered_json to_json(const std::vector<CaseResult>& results) {
     nlohmann::ordered_json json;
-    json["passed"] = std::ranges::all_of(results, &CaseResult::passed);
+    json["passed"] = all_passed(results);
     json["cases"] = nlohmann::ordered_json::array();
     for (const CaseResult& result : results) {
         nlohmann::ordered_json findings = nlohmann::ordered_json::array();
@@ -64,16 +63,18 @@ nlohmann::ordered_json to_json(const std::vector<CaseResult>& results) {
     return json;
 }
 
-int stress(const std::vector<HardCase>& cases, bool json) {
+std::vector<CaseResult> run_cases(const std::vector<HardCase>& cases,
+                                  const std::function<void(const CaseResult&)>& show) {
     std::vector<CaseResult> results;
     for (const HardCase& hard_case : cases) {
         results.push_back(run_case(hard_case));
-        std::FILE* const terminal = json ? stderr : stdout;
-        fmt::print(terminal, "{}", to_text(results.back()));
-        std::fflush(terminal);  // into a pipe too, line by line
+        show(results.back());
     }
-    if (json) fmt::print("{}\n", to_json(results).dump(2));
-    return std::ranges::all_of(results, &CaseResult::passed) ? 0 : 1;
+    return results;
+}
+
+bool all_passed(const std::vector<CaseResult>& results) {
+    return std::ranges::all_of(results, &CaseResult::passed);
 }
 
 }  // namespace plumbline::reports

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "reports/hard_case.h"
+#include "reports/study_section.h"
 
 namespace plumbline::reports {
 
@@ -27,9 +29,14 @@ CaseResult run_case(const HardCase& hard_case);
 /// One line for the terminal, and below it a line for each claim that does not hold.
 std::string to_text(const CaseResult& result);
 
-/// Runs the cases and tells what came of them: text on stdout, or JSON there and text on stderr.
-/// Returns 0 if all passed, else 1.
-int stress(const std::vector<HardCase>& cases, bool json);
+/// Runs the cases one by one and shows each result when it is there.
+std::vector<CaseResult> run_cases(const std::vector<HardCase>& cases,
+                                  const std::function<void(const CaseResult&)>& show);
+
+bool all_passed(const std::vector<CaseResult>& results);
+
+/// A table for each group: case, law, how many claims hold, time, and what does not hold.
+StudySection stress_section(const std::vector<CaseResult>& results);
 
 /// {"passed", "cases": [{"group", "name", "law", "passed", "seconds", "findings": [{"renderer",
 /// "claim", "measured", "lowest", "highest", "holds"}], "error"}]}; not-finite numbers are null.

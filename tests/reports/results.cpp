@@ -25,7 +25,7 @@ void check_keys(const nlohmann::ordered_json& json, const std::vector<std::strin
 TEST_CASE("results.json has every key that its header promises", "[reports][json]") {
     const nlohmann::ordered_json json = results_json(synthetic_report(32, 18, 2));
     check_keys(json, {"version", "date", "command", "quality", "machine", "scenes", "transfer",
-                      "shared_fit"});
+                      "shared_fit", "hard_cases"});
     REQUIRE(json["scenes"].size() == 2);
     const nlohmann::ordered_json& scene = json["scenes"][1];
     check_keys(scene, {"scene", "description", "hash", "frame", "width", "height", "truth",
