@@ -33,9 +33,7 @@ inline SphereCone sphere_cone(const glm::vec3& to_center, float radius) {
 inline glm::vec3 sample_cone(const SphereCone& cone, const glm::vec2& u) {
     const float lower = u.x * cone.one_minus_cos;  // 1 - cos(theta)
     const float sin_theta = std::sqrt(lower * (2.f - lower));
-    const float phi = 2.f * std::numbers::pi_v<float> * u.y;
-    return from_local({sin_theta * std::cos(phi), sin_theta * std::sin(phi), 1.f - lower},
-                      cone.axis);
+    return from_local({sin_theta * unit_circle(u.y), 1.f - lower}, cone.axis);
 }
 
 /// Where a ray of the unit `direction`, inside the cone, enters the sphere of this radius: the

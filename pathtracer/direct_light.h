@@ -92,20 +92,20 @@ Spectrum met_emission(const Spectrum& Le, const PathOptions& options, int scatte
     return Le;
 }
 
-/// Calls add(sample) for each light that shines on the surface at `hit`, seen from its side `n`,
-/// and for what is aimed at; shadow rays start at `origin`.
+/// Calls add(sample) for each light that shines on the side `n` of the surface at `position`, and
+/// for what is aimed at; shadow rays start at `origin`.
 template <Effects F, typename Add>
-void sample_direct_light(const World& world, const PathOptions& options, const Hit& hit,
+void sample_direct_light(const World& world, const PathOptions& options, const glm::vec3& position,
                          const glm::vec3& n, const glm::vec3& origin, Sampler& sampler,
                          const Add& add) {
     const auto add_lit = [&](const SampledLight& sample) {
         if (sample.E != Spectrum(0.f)) add(sample);
     };
     if constexpr (has_any(F, any_light)) {
-        sample_lights<F>(world, hit, n, origin, sampler, add_lit);
+        sample_lights<F>(world, position, n, origin, sampler, add_lit);
     }
     if constexpr (has(F, Effect::EmitterSampling)) {
-        add_lit(sample_emitters(options, hit.position, n, sampler));
+        add_lit(sample_emitters(options, position, n, sampler));
     }
     if constexpr (has(F, Effect::EnvironmentImage)) {
         add_lit(sample_environment(options, world.reach, origin, n, sampler));

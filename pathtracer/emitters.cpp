@@ -130,8 +130,7 @@ std::optional<Emitters::Point> Emitters::sample_sphere(const Emitter& emitter,
     }
     const float z = 1.f - 2.f * u.x;
     const float r = std::sqrt(glm::max(1.f - z * z, 0.f));
-    const float phi = 2.f * pi * u.y;
-    const glm::vec3 outward(r * std::cos(phi), r * std::sin(phi), z);
+    const glm::vec3 outward(r * unit_circle(u.y), z);
     const glm::vec3 target = sphere.center + sphere.radius * outward;
     const glm::vec3 way = target - position;
     const float d2 = glm::dot(way, way);

@@ -20,14 +20,34 @@ inline glm::vec3 from_local(const glm::vec3& local, const glm::vec3& n) {
     return tangent * local.x + bitangent * local.y + n * local.z;
 }
 
+/// The point of the unit circle at `turn` of a full turn from (1, 0), for a turn from 0 to 1, to 4
+/// roundings. Unlike the library's functions, the polynomials run in vector registers.
+inline glm::vec2 unit_circle(float turn) {
+    // The nearest quarter, and what is left of the angle: exact up to the product with pi / 2.
+    const int quarter = static_cast<int>(4.f * turn + .5f);
+    const float a = (4.f * turn - static_cast<float>(quarter)) * (std::numbers::pi_v<float> / 2.f);
+    const float a2 = a * a;
+    // Minimax polynomials on [-pi/4, pi/4] [Moshier 1992, sinf.c].
+    const float sine =
+        a + a * a2 * (-1.6666654611e-1f + a2 * (8.3321608736e-3f - a2 * 1.9515295891e-4f));
+    const float cosine =
+        1.f - .5f * a2 +
+        a2 * a2 *
+            (4.166664568298827e-2f - a2 * (1.388731625493765e-3f - a2 * 2.443315711809948e-5f));
+    const bool odd = (quarter & 1) != 0;
+    const float x = odd ? sine : cosine;
+    const float y = odd ? cosine : sine;
+    return {((quarter + 1) & 2) != 0 ? -x : x, (quarter & 2) != 0 ? -y : y};
+}
+
 /// A direction on the hemisphere around the unit vector `n` with density cos / pi, from a point `u`
 /// of [0,1)^2: a disk lifted to the hemisphere [Malley's method, Pharr et al. 2023, section A.5.3].
 ///
 /// Its cosine with `n` is at least 2^-12, since u.x is at most 1 - 2^-24.
 inline glm::vec3 sample_cosine_hemisphere(const glm::vec2& u, const glm::vec3& n) {
     const float r = std::sqrt(u.x);
-    const float phi = 2.f * std::numbers::pi_v<float> * u.y;
-    return from_local({r * std::cos(phi), r * std::sin(phi), std::sqrt(1.f - u.x)}, n);
+    const glm::vec2 disk = r * unit_circle(u.y);
+    return from_local({disk, std::sqrt(1.f - u.x)}, n);
 }
 
 /// Density of sample_cosine_hemisphere() per unit of solid angle, for a cosine with `n`.

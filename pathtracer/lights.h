@@ -38,15 +38,24 @@ inline SampledLight sample_sphere_light(const PointLight& light, const glm::vec3
             L * (cosine * cone.solid_angle())};
 }
 
+/// Irradiance of `light` on the side `n` of the surface at `position`.
+inline Spectrum point_light_irradiance(const EvenLight& light, const glm::vec3& position,
+                                       const glm::vec3& n) {
+    const glm::vec3 to_light = light.position - position;
+    const float d_cosine = glm::max(glm::dot(n, to_light), 0.f);
+    // Zero also from a light exactly on the surface, towards which there is no direction.
+    const float d2 = d_cosine > 0.f ? glm::dot(to_light, to_light) : 1.f;
+    return light.normal_irradiance(d2) * (d_cosine / std::sqrt(d2));
+}
+
 /// Irradiance of a point light or a spot on the side `n` of the surface at `position`.
 inline SampledLight sample_point_light(const PointLight& light, const glm::vec3& position,
                                        const glm::vec3& n) {
-    const glm::vec3 to_light = light.position - position;
-    const float d_cosine = glm::dot(n, to_light);
-    // Also leaves out a light exactly on the surface, towards which there is no direction.
-    if (d_cosine <= 0.f) return {light.position};
-    const float cosine = d_cosine / std::sqrt(glm::dot(to_light, to_light));
-    return {light.position, normal_irradiance(light, to_light) * cosine};
+    Spectrum E = point_light_irradiance(EvenLight(light), position, n);
+    if (light.cone && E != Spectrum(0.f)) {
+        E *= spot_attenuation(*light.cone, light.position - position);
+    }
+    return {light.position, E};
 }
 
 /// Irradiance of a directional light on the surface of unit normal `n` at `origin`, in a scene of
@@ -57,22 +66,22 @@ inline SampledLight sample_directional_light(const DirectionalLight& light, floa
     return {origin - reach * light.direction, light.irradiance * cosine};
 }
 
-/// Calls add(sample) for each light of the scene that shines on the surface at `hit`, seen from its
-/// side `n`; shadow rays start at `origin`. Draws numbers for lights with size alone.
+/// Calls add(sample) for each light of the scene that shines on the side `n` of the surface at
+/// `position`; shadow rays start at `origin`. Draws numbers for lights with size alone.
 template <Effects F, typename Add>
-void sample_lights(const World& world, const Hit& hit, const glm::vec3& n, const glm::vec3& origin,
-                   Sampler& sampler, const Add& add) {
+void sample_lights(const World& world, const glm::vec3& position, const glm::vec3& n,
+                   const glm::vec3& origin, Sampler& sampler, const Add& add) {
     const auto add_light = [&](const SampledLight& sample) {
         if (sample.E != Spectrum(0.f)) add(sample);
     };
     for (const PointLight& light : world.lights) {
         if constexpr (has(F, Effect::SphereLights)) {
             if (light.radius > 0.f) {
-                add_light(sample_sphere_light(light, hit.position, n, sampler.next_2d()));
+                add_light(sample_sphere_light(light, position, n, sampler.next_2d()));
                 continue;
             }
         }
-        add_light(sample_point_light(light, hit.position, n));
+        add_light(sample_point_light(light, position, n));
     }
     if constexpr (has(F, Effect::DirectionalLights)) {
         for (const DirectionalLight& light : world.directional_lights) {

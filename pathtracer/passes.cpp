@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pathtracer/passes.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -78,6 +79,8 @@ bool Passes::add(const Pass& pass, Progress& progress, const std::function<bool(
 template <Effects F>
 bool Passes::add_with(const Pass& pass, Progress& progress, const std::function<bool()>& stop) {
     std::vector<TileCounts> counts(tiles_.size());
+    tbb::enumerable_thread_specific<Wave<F, RayTracer>> waves(
+        [&] { return Wave<F, RayTracer>(tracer_, options_); });
     std::atomic<bool> stopped = false;
     tbb::parallel_for(std::size_t(0), tiles_.size(), [&](std::size_t i) {
         if (first_of(tiles_[i]).sums.samples >= static_cast<std::uint32_t>(pass.last)) return;
@@ -85,7 +88,7 @@ bool Passes::add_with(const Pass& pass, Progress& progress, const std::function<
             stopped = true;
             return;
         }
-        counts[i] = add_tile<F>(pass, tiles_[i]);
+        counts[i] = add_tile<F>(pass, tiles_[i], waves.local());
         progress.advance();
     });
     for (const TileCounts& tile : counts) {
@@ -99,10 +102,9 @@ bool Passes::add_with(const Pass& pass, Progress& progress, const std::function<
 }
 
 template <Effects F>
-Passes::TileCounts Passes::add_tile(const Pass& pass, int tile) {
+Passes::TileCounts Passes::add_tile(const Pass& pass, int tile, Wave<F, RayTracer>& wave) {
     const Tiles::Bounds bounds = all_tiles_.bounds(tile);
     TileCounts counts;
-    Wave<F, RayTracer> wave(tracer_, options_);
     for (int y = bounds.top; y < bounds.bottom; y += rows_a_wave) {
         const Tiles::Bounds rows{bounds.left, y, bounds.right,
                                  std::min(y + rows_a_wave, bounds.bottom)};
@@ -117,17 +119,22 @@ Passes::TileCounts Passes::add_tile(const Pass& pass, int tile) {
 template <Effects F>
 void Passes::add_wave(const Pass& pass, const Tiles::Bounds& block, Wave<F, RayTracer>& wave,
                       TileCounts& counts) {
+    static_assert(Sampler::batch_size <= lane_count);
+    SamplerLanes samplers;
+    RayLanes rays;
     for (int y = block.top; y < block.bottom; ++y) {
         for (int x = block.left; x < block.right; ++x) {
             const std::uint64_t key = pixel_key(seed_, x, y);
+            rays.count = 0;
             for (int sample = pass.first; sample < pass.last; ++sample) {
-                Sampler sampler(key, sample);
-                const glm::vec2 at = glm::vec2(x, y) + sampler.next_2d();
-                wave.start(camera_rays_.through(at.x, at.y), sampler);
+                samplers.set(rays.count++, Sampler(key, sample));
             }
+            aim_camera(camera_rays_, {x, y}, samplers, rays);
+            for (std::size_t i = 0; i < rays.count; ++i) wave.start(rays[i], samplers[i]);
         }
     }
     std::span<const Path> paths = wave.follow();
+    counts.rays += wave.rays();
     const auto samples = static_cast<std::size_t>(pass.last - pass.first);
     for (int y = block.top; y < block.bottom; ++y) {
         for (int x = block.left; x < block.right; ++x) {
@@ -147,7 +154,6 @@ void Passes::add_to_pixel(const Pass& pass, std::span<const Path> paths, const g
     SampleSums group;
     for (const Path& path : paths) {
         group.add(path, camera.eye, forward_);
-        counts.rays += path.rays;
         if (!is_finite(path.direct + path.indirect)) {
             ++counts.non_finite.samples;
             set_if_earlier(counts.non_finite.first, at);

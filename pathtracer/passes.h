@@ -73,7 +73,7 @@ class Passes {
     template <Effects F>
     bool add_with(const Pass& pass, Progress& progress, const std::function<bool()>& stop);
     template <Effects F>
-    TileCounts add_tile(const Pass& pass, int tile);
+    TileCounts add_tile(const Pass& pass, int tile, Wave<F, RayTracer>& wave);
     template <Effects F>
     void add_wave(const Pass& pass, const Tiles::Bounds& block, Wave<F, RayTracer>& wave,
                   TileCounts& counts);

@@ -15,7 +15,6 @@ struct Path {
     Spectrum bounce1{0.f};   ///< scattered twice
     Spectrum indirect{0.f};  ///< scattered twice or more
     std::optional<Hit> surface;
-    unsigned rays = 0;  ///< camera, bounce and shadow rays
 
     void add(int scatterings, const Spectrum& L) {
         if (scatterings <= 1) {

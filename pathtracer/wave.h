@@ -2,112 +2,221 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
-#include "pathtracer/vertex.h"
+#include "pathtracer/lane_steps.h"
+#include "pathtracer/path.h"
+#include "scenes/effects.h"
 
 namespace plumbline::pathtracer {
 
-/// Follows many paths side by side, scattering by scattering, so that rays are traced in packets
-/// and one step's code and tables stay in the cache [Laine et al. 2013].
+/// Follows many paths side by side, scattering by scattering, so that rays are traced in packets,
+/// shading runs in vector instructions, and one step's code and tables stay in the cache
+/// [Laine et al. 2013].
 ///
-/// What a path finds depends on its ray and its sampler alone, not on the others in the wave. F
-/// must cover effects_of() the scene; `Tracer` is a RayTracer, or answers like one. Memory is kept
-/// from wave to wave.
+/// Unbiased for the radiance that is scattered at most `options.max_scatterings` times. Lights are
+/// sampled at every surface, emitters with Effect::EmitterSampling, and the environment with
+/// Effect::EnvironmentImage; emission and environment count where a path meets them. What a path
+/// finds depends on its ray and its sampler alone, not on the others in the wave. Code for an
+/// effect outside F is compiled out; F must cover effects_of() the scene. `Tracer` is a RayTracer,
+/// or answers like one. Memory is kept from wave to wave.
 template <Effects F, typename Tracer>
 class Wave {
  public:
     /// `tracer` must outlive it.
-    Wave(const Tracer& tracer, const PathOptions& options) : tracer_(tracer), options_(options) {}
+    Wave(const Tracer& tracer, const PathOptions& options)
+        : tracer_(tracer), world_(tracer.world()), options_(options) {}
 
     /// Adds a path from the camera ray `ray` to the next wave.
     void start(const Ray& ray, const Sampler& sampler) {
-        walks_.push_back({Spectrum(1.f), sampler, static_cast<std::uint32_t>(rays_.size()), {}});
-        rays_.push_back(ray);
+        WalkLanes& walks = block_of(walking_);
+        const std::size_t i = walking_ % lane_count;
+        walks.rays.set(i, ray);
+        walks.beta.set(i, Spectrum(1.f));
+        walks.sampler.set(i, sampler);
+        walks.path[i] = static_cast<std::uint32_t>(walking_);
+        ++walking_;
     }
 
     /// Follows all paths to their ends; the answer, in the order of the starts, holds until the
     /// next call.
     std::span<const Path> follow() {
-        paths_.assign(walks_.size(), Path{});
-        for (int scatterings = 0; !walks_.empty(); ++scatterings) step(scatterings);
+        paths_.assign(walking_, Path{});
+        rays_ = 0;
+        for (int scatterings = 0; walking_ > 0; ++scatterings) step(scatterings);
         return paths_;
     }
 
+    /// Camera, bounce and shadow rays of the last wave.
+    std::uint64_t rays() const { return rays_; }
+
  private:
-    /// Rays handled together: so few that they stay in the first-level cache from step to step.
-    static constexpr std::size_t chunk_size = 128;
+    WalkLanes& block_of(std::size_t walk) {
+        const std::size_t block = walk / lane_count;
+        if (block == blocks_.size()) blocks_.emplace_back();
+        return blocks_[block];
+    }
 
     /// Follows every path to its next surface. Those that live on close the gaps of those that end.
     void step(int scatterings) {
-        std::size_t kept = 0;
-        for (std::size_t first = 0; first < walks_.size(); first += chunk_size) {
-            const std::size_t count = std::min(chunk_size, walks_.size() - first);
-            intersect(scatterings, std::span(rays_).subspan(first, count));
-            kept = shade(scatterings, first, count, kept);
-            add_light(scatterings + 1);
+        const std::size_t before = walking_;
+        walking_ = 0;
+        for (std::size_t first = 0; first < before; first += lane_count) {
+            WalkLanes& walks = blocks_[first / lane_count];
+            walks.rays.count = std::min(lane_count, before - first);
+            intersect(scatterings, walks);
+            meet(scatterings, walks);
+            if (scatterings < options_.max_scatterings) leave(scatterings, walks);
         }
-        walks_.erase(walks_.begin() + std::ptrdiff_t(kept), walks_.end());
-        rays_.resize(kept);
+        add_light(scatterings + 1);
     }
 
-    void intersect(int scatterings, std::span<const Ray> rays) {
-        const std::span hits = std::span(hits_).first(rays.size());
-        if (scatterings == 0) {
-            tracer_.intersect(rays, BackFaces::Cull, Coherence::Coherent, hits);
-        } else {
-            tracer_.intersect(rays, BackFaces::Hit, Coherence::Incoherent, hits);
+    void intersect(int scatterings, const WalkLanes& walks) {
+        const bool from_camera = scatterings == 0;
+        tracer_.intersect(walks.rays, from_camera ? BackFaces::Cull : BackFaces::Hit,
+                          from_camera ? Coherence::Coherent : Coherence::Incoherent, hits_);
+        rays_ += walks.rays.count;
+        if (!from_camera) return;
+        for (std::size_t i = 0; i < hits_.count; ++i) {
+            paths_[walks.path[hits_.ray[i]]].surface = hits_[i];
         }
     }
 
-    /// Shades what the rays [first, first + count) hit; moves the paths that live on to `kept` and
-    /// on, and returns the end of these.
-    std::size_t shade(int scatterings, std::size_t first, std::size_t count, std::size_t kept) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::optional<Hit>& hit = hits_[i];
-            Ray ray = rays_[first + i];
-            Walk walk = walks_[first + i];
-            Path& path = paths_[walk.path];
-            ++path.rays;
-            if (scatterings == 0) path.surface = hit;
-            if (!shade_vertex<F>(tracer_.world(), options_, scatterings, hit, ray, walk, path,
-                                 light_samples_)) {
+    /// Adds what shines where the rays of `walks` end, and moves the paths that hit a surface to
+    /// the lanes of their hits.
+    void meet(int scatterings, WalkLanes& walks) {
+        if constexpr (has(F, Effect::Environment)) add_environment(scatterings, walks);
+        if (hits_.count < walks.rays.count) {
+            for (std::size_t i = 0; i < hits_.count; ++i) {
+                walks.set_carried(i, walks, hits_.ray[i]);
+            }
+        }
+        for (std::size_t i = 0; i < hits_.count; ++i) {
+            const Material& material = world_.materials[std::size_t(hits_.material[i])];
+            if (hits_.back[i] != 0 && !material.two_sided) {
+                hits_.albedo.set(i, Spectrum(0.f));  // the back is black
+            } else if constexpr (has(F, Effect::Emission)) {
+                if (material.emission == Spectrum(0.f)) continue;
+                const Spectrum Le = met_emission<F>(material.emission, options_, scatterings,
+                                                    walks.last[i], hits_[i]);
+                paths_[walks.path[i]].add(scatterings, walks.beta[i] * Le);
+            }
+        }
+    }
+
+    void add_environment(int scatterings, const WalkLanes& walks) {
+        std::size_t next_hit = 0;
+        for (std::size_t i = 0; i < walks.rays.count; ++i) {
+            if (next_hit < hits_.count && hits_.ray[next_hit] == i) {
+                ++next_hit;
                 continue;
             }
-            rays_[kept] = ray;
-            walks_[kept] = walk;
-            ++kept;
+            const Spectrum L = met_environment<F>(world_, options_, scatterings, walks.last[i],
+                                                  walks.rays.direction[i]);
+            paths_[walks.path[i]].add(scatterings, walks.beta[i] * L);
         }
-        return kept;
+    }
+
+    /// Samples lights from the surfaces hit, and sends the paths on from there.
+    void leave(int scatterings, WalkLanes& walks) {
+        start_rays(hits_, walks.rays.origin);
+        if constexpr (has_any(F, sampled)) sample_light(scatterings + 1, walks);
+        // Without these, nothing that the next ray could meet would count.
+        constexpr bool surfaces_or_sky_shine =
+            has(F, Effect::Emission) || has(F, Effect::Environment);
+        if (!surfaces_or_sky_shine && scatterings + 1 == options_.max_scatterings) return;
+
+        scatter(hits_, walks);
+        if constexpr (has_any(F, aimed_at)) remember(walks);
+        find_alive(hits_.count, walks, alive_);
+        if (options_.roulette && scatterings + 1 >= options_.roulette_start) {
+            play_roulette(options_, hits_.count, walks, alive_);
+        }
+        keep_alive(walks);
+    }
+
+    /// Samples light that would be scattered `scatterings` times.
+    void sample_light(int scatterings, WalkLanes& walks) {
+        if constexpr (!has_any(F, special_lights | aimed_at)) {
+            for (const PointLight& light : world_.lights) {
+                shine(EvenLight(light), hits_, walks.beta, light_);
+                for (std::size_t i = 0; i < hits_.count; ++i) {
+                    const Spectrum L = light_[i];
+                    if (L == Spectrum(0.f)) continue;
+                    add_sample(scatterings, {walks.rays.origin[i], light.position}, L,
+                               walks.path[i]);
+                }
+            }
+        } else {
+            for (std::size_t i = 0; i < hits_.count; ++i) {
+                const Spectrum f_beta =
+                    walks.beta[i] * hits_.albedo[i] * std::numbers::inv_pi_v<float>;
+                const glm::vec3 origin = walks.rays.origin[i];
+                Sampler sampler = walks.sampler[i];
+                sample_direct_light<F>(
+                    world_, options_, hits_.position[i], hits_.n[i], origin, sampler,
+                    [&](const SampledLight& light) {
+                        const Spectrum L = f_beta * light.E;
+                        if (L == Spectrum(0.f)) return;
+                        add_sample(scatterings, {origin, light.target}, L, walks.path[i]);
+                    });
+                walks.sampler.set(i, sampler);
+            }
+        }
+    }
+
+    void add_sample(int scatterings, const Segment& segment, const Spectrum& L,
+                    std::uint32_t path) {
+        light_samples_.push(segment, L, path);
+        if (light_samples_.full()) add_light(scatterings);
     }
 
     /// Adds to the paths the light samples that nothing hides.
     void add_light(int scatterings) {
-        const std::span<const Segment> segments(light_samples_.segments);
-        for (std::size_t first = 0; first < segments.size(); first += chunk_size) {
-            const auto part =
-                segments.subspan(first, std::min(chunk_size, segments.size() - first));
-            tracer_.occluded(part, std::span(hidden_).first(part.size()));
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                const LightSample& sample = light_samples_.samples[first + i];
-                Path& path = paths_[sample.path];
-                ++path.rays;
-                if (!hidden_[i]) path.add(scatterings, sample.L);
-            }
+        SegmentLanes& segments = light_samples_.segments;
+        if (segments.count == 0) return;
+        tracer_.occluded(segments, hidden_);
+        rays_ += segments.count;
+        for (std::size_t i = 0; i < segments.count; ++i) {
+            if (hidden_[i] != 0) continue;
+            paths_[light_samples_.path[i]].add(scatterings, light_samples_.L[i]);
         }
-        light_samples_.clear();
+        segments.count = 0;
+    }
+
+    void remember(WalkLanes& walks) {
+        for (std::size_t i = 0; i < hits_.count; ++i) {
+            const glm::vec3 n = hits_.n[i];
+            const float cosine = glm::dot(n, walks.rays.direction[i]);
+            walks.last[i] = {hits_.position[i], n, pdf_cosine_hemisphere(cosine)};
+        }
+    }
+
+    /// Adds the paths that are alive to those of the next step.
+    void keep_alive(const WalkLanes& walks) {
+        for (std::size_t i = 0; i < hits_.count; ++i) {
+            if (alive_[i] == 0) continue;
+            WalkLanes& kept = blocks_[walking_ / lane_count];
+            const std::size_t to = walking_ % lane_count;
+            kept.rays.origin.set(to, walks.rays.origin[i]);
+            kept.rays.direction.set(to, walks.rays.direction[i]);
+            kept.set_carried(to, walks, i);
+            ++walking_;
+        }
     }
 
     const Tracer& tracer_;
+    const World& world_;
     PathOptions options_;
-    std::vector<Ray> rays_;    // of the paths still followed
-    std::vector<Walk> walks_;  // of the same
-    std::vector<Path> paths_;  // of all
-    std::array<std::optional<Hit>, chunk_size> hits_;
-    LightSamples light_samples_;
-    std::array<bool, chunk_size> hidden_;
+    std::size_t walking_ = 0;
+    std::vector<WalkLanes> blocks_;  // the first walking_ lanes of all
+    std::vector<Path> paths_;
+    std::uint64_t rays_ = 0;
+    HitLanes hits_;
+    Lanes3 light_;
+    Lanes<std::int32_t> alive_, hidden_;
+    LightSampleLanes light_samples_;
 };
 
 }  // namespace plumbline::pathtracer

@@ -18,8 +18,4 @@ CameraRays::CameraRays(const Camera& camera) : eye_(camera.eye) {
     corner_ = forward - right_ * (width / 2.f) - down_ * (height / 2.f);
 }
 
-Ray CameraRays::through(float x, float y) const {
-    return {eye_, glm::normalize(corner_ + right_ * x + down_ * y)};
-}
-
 }  // namespace plumbline

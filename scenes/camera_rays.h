@@ -12,7 +12,9 @@ class CameraRays {
 
     /// The ray through (x, y) in pixels from the top left corner; pixel (i, j) covers
     /// [i, i+1) x [j, j+1).
-    Ray through(float x, float y) const;
+    Ray through(float x, float y) const {
+        return {eye_, glm::normalize(corner_ + right_ * x + down_ * y)};
+    }
 
  private:
     glm::vec3 eye_;

@@ -54,7 +54,7 @@ void EmbreeScene::add(const WorldMesh& mesh) {
     throw_on_error(device_);
     std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
-    attach(geometry, {&mesh, nullptr});
+    attach(geometry, {&mesh, nullptr, is_plain(mesh)});
 }
 
 void EmbreeScene::add(const WorldSphere& sphere) {
@@ -64,6 +64,12 @@ void EmbreeScene::add(const WorldSphere& sphere) {
     throw_on_error(device_);
     *center_radius = glm::vec4(sphere.center, sphere.radius);
     attach(geometry, {nullptr, &sphere});
+}
+
+bool EmbreeScene::is_plain(const WorldMesh& mesh) const {
+    return mesh.vertex_albedo.empty() && std::ranges::none_of(mesh.triangle_materials, [&](int m) {
+               return world_.materials[static_cast<std::size_t>(m)].texture.has_value();
+           });
 }
 
 bool EmbreeScene::is_culled(const glm::vec3& direction, const Found& found) const {

@@ -22,6 +22,16 @@ inline float position_error(float largest_coordinate) {
 
 inline float largest_coordinate(const glm::vec3& p) { return max_component(glm::abs(p)); }
 
+/// The way along a segment as a ray that ends where it does; t_max is above 0 unless the ends are
+/// nearer than floats can tell apart, or the same, and nothing is between them.
+inline Ray way_along(const Segment& segment) {
+    const auto& [a, b] = segment;
+    // A surface that `b` lies on is not between: its distance is known to within this much.
+    const glm::vec3 way = b - a;
+    const float error = position_error(glm::max(largest_coordinate(a), largest_coordinate(b)));
+    return {a, way, 1.f - 2.f * error / glm::length(way)};
+}
+
 /// A world's surfaces in Embree, and what stands behind Embree's numbers for them.
 class EmbreeScene {
  public:
@@ -33,6 +43,16 @@ class EmbreeScene {
         float u, v;    ///< barycentric
         glm::vec3 ng;  ///< not normalised; oriented by the winding, for a sphere outward
     };
+    /// The same for each ray; `geometry` is RTC_INVALID_GEOMETRY_ID if there is none.
+    struct FoundLanes {
+        Lanes<unsigned> geometry, primitive;
+        Lanes<float> t, u, v;
+        Lanes3 ng;
+
+        Found operator[](std::size_t i) const {
+            return {geometry[i], primitive[i], t[i], u[i], v[i], ng[i]};
+        }
+    };
 
     /// Builds the BVH; `world` must outlive it. Throws SceneError if Embree runs out of memory.
     explicit EmbreeScene(const World& world);
@@ -43,20 +63,30 @@ class EmbreeScene {
     RTCScene scene() const { return scene_; }
     RTCDevice device() const { return device_; }
     Hit hit(const Ray& ray, const Found& found) const;
+    /// What hit() is for each ray that met something.
+    void hits(const RayLanes& rays, const FoundLanes& found, HitLanes& hits) const;
 
     /// True for the back of a one-sided material.
     bool is_culled(const glm::vec3& direction, const Found& found) const;
 
  private:
-    /// Per Embree geometry: one of the two.
+    /// Per Embree geometry: a mesh or a sphere.
     struct Geometry {
         const WorldMesh* mesh = nullptr;
         const WorldSphere* sphere = nullptr;
+        bool plain = false;  ///< triangles whose albedo is their material's
     };
 
     void attach(RTCGeometry geometry, const Geometry& entry);
     void add(const WorldMesh& mesh);
     void add(const WorldSphere& sphere);
+    bool is_plain(const WorldMesh& mesh) const;
+    bool is_plain(const FoundLanes& found, std::size_t i) const;
+    struct CornerLanes;
+    void fetch_triangle(const FoundLanes& found, std::size_t i, CornerLanes& corners,
+                        HitLanes& hits) const;
+    /// Moves the hits up where rays missed, and makes those that fetch_triangle() cannot.
+    void close_gaps(const RayLanes& rays, const FoundLanes& found, HitLanes& hits) const;
     Hit triangle_hit(const WorldMesh& mesh, const Found& found) const;
     Hit sphere_hit(const WorldSphere& sphere, const Ray& ray, float t) const;
 
@@ -65,53 +95,5 @@ class EmbreeScene {
     RTCScene scene_;
     std::vector<Geometry> geometries_;  // by Embree's geomID
 };
-
-inline Hit EmbreeScene::triangle_hit(const WorldMesh& mesh, const Found& found) const {
-    const glm::uvec3& triangle = mesh.triangles[found.primitive];
-    const glm::vec3& a = mesh.positions[triangle.x];
-    const glm::vec3& b = mesh.positions[triangle.y];
-    const glm::vec3& c = mesh.positions[triangle.z];
-    const float u = found.u;
-    const float v = found.v;
-    Hit hit;
-    hit.object = mesh.object;
-    hit.material = mesh.triangle_materials[found.primitive];
-    // Interpolated, not origin + t direction, whose error grows with the distance.
-    hit.position = (1.f - u - v) * a + u * b + v * c;
-    hit.position_error = position_error(
-        glm::max(largest_coordinate(a), glm::max(largest_coordinate(b), largest_coordinate(c))));
-    hit.ng = glm::normalize(found.ng);
-    const Material& material = world_.materials[static_cast<std::size_t>(hit.material)];
-    hit.albedo = material.albedo;
-    const auto between_corners = [&](const auto& values) {
-        return (1.f - u - v) * values[triangle.x] + u * values[triangle.y] + v * values[triangle.z];
-    };
-    if (!mesh.vertex_albedo.empty()) hit.albedo *= between_corners(mesh.vertex_albedo);
-    if (material.texture) hit.albedo *= material.texture->at(between_corners(mesh.texcoords));
-    return hit;
-}
-
-inline Hit EmbreeScene::sphere_hit(const WorldSphere& sphere, const Ray& ray, float t) const {
-    Hit hit;
-    hit.object = sphere.object;
-    hit.material = sphere.material;
-    const glm::vec3 outward = glm::normalize(ray.origin + t * ray.direction - sphere.center);
-    hit.position = sphere.center + sphere.radius * outward;
-    hit.position_error = position_error(largest_coordinate(sphere.center) + sphere.radius);
-    hit.ng = sphere.inward ? -outward : outward;
-    hit.albedo = world_.materials[static_cast<std::size_t>(hit.material)].albedo;
-    return hit;
-}
-
-inline Hit EmbreeScene::hit(const Ray& ray, const Found& found) const {
-    const Geometry& geometry = geometries_[found.geometry];
-    Hit hit = geometry.mesh != nullptr ? triangle_hit(*geometry.mesh, found)
-                                       : sphere_hit(*geometry.sphere, ray, found.t);
-    hit.t = found.t;
-    hit.geometry = found.geometry;
-    hit.primitive = found.primitive;
-    hit.back = glm::dot(hit.ng, ray.direction) > 0.f;
-    return hit;
-}
 
 }  // namespace plumbline

@@ -19,6 +19,12 @@ struct Ray {
     float t_max = std::numeric_limits<float>::infinity();
 };
 
+/// The straight way from `a` to `b`.
+struct Segment {
+    glm::vec3 a;
+    glm::vec3 b;
+};
+
 /// An axis-aligned box in world space; empty (containing no point) until extended.
 struct Bounds {
     glm::vec3 lower{std::numeric_limits<float>::infinity()};

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 
 #include "scenes/scene.h"
 
 namespace plumbline {
-namespace {
-
-/// The share of a spot's light at an angle of this cosine off its axis.
-float attenuation(const SpotCone& cone, float cosine) {
+float spot_attenuation(const SpotCone& cone, const glm::vec3& to_light) {
+    const float cosine = -glm::dot(to_light, cone.direction) / glm::length(to_light);
     const float inner = std::cos(cone.inner_angle);
     const float outer = std::cos(cone.outer_angle);
     // Two angles that a float cannot tell apart are a sharp edge.
@@ -18,14 +15,9 @@ float attenuation(const SpotCone& cone, float cosine) {
     return ramp * ramp;
 }
 
-}  // namespace
-
 Spectrum normal_irradiance(const PointLight& light, const glm::vec3& to_light) {
-    const float d2 = glm::dot(to_light, to_light);
-    const Spectrum E = light.falloff == Falloff::None ? glm::pi<float>() * light.white_radiance
-                                                      : light.intensity / d2;
-    if (!light.cone) return E;
-    return E * attenuation(*light.cone, -glm::dot(to_light, light.cone->direction) / std::sqrt(d2));
+    const Spectrum E = EvenLight(light).normal_irradiance(glm::dot(to_light, to_light));
+    return light.cone ? E * spot_attenuation(*light.cone, to_light) : E;
 }
 
 }  // namespace plumbline

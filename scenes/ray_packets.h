@@ -3,9 +3,9 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
-#include <span>
 
 #include "scenes/embree_scene.h"
 
@@ -19,31 +19,47 @@ class Packet {
  public:
     static constexpr std::size_t width = N;
 
-    void load(std::span<const Ray> rays) {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            set(i, rays[i].origin, rays[i].direction, rays[i].t_max);
+    Packet() {
+        for (std::size_t i = 0; i < N; ++i) {
+            // Embree counts a surface at tnear as met; a point on a surface is not in front of it.
+            rays_.ray.tnear[i] = std::numeric_limits<float>::min();
+            rays_.ray.time[i] = 0.f;
+            rays_.ray.mask[i] = ~0u;
+            rays_.ray.id[i] = 0;
+            rays_.ray.flags[i] = 0;
+            valid_[i] = 0;
         }
-        for (std::size_t i = rays.size(); i < N; ++i) valid_[i] = 0;
     }
 
-    void load(std::span<const Segment> segments) {
-        for (std::size_t i = 0; i < segments.size(); ++i) {
-            const auto& [a, b] = segments[i];
-            // A surface that `b` lies on is not between: its distance is known to within this much.
-            const glm::vec3 way = b - a;
-            const float error =
-                position_error(glm::max(largest_coordinate(a), largest_coordinate(b)));
-            const float t_max = 1.f - 2.f * error / glm::length(way);
-            set(i, a, way, t_max);
-            // Points nearer than floats can tell apart, or the same, have nothing between them.
-            if (!(t_max > 0.f)) valid_[i] = 0;
+    /// Takes `ray` alone.
+    void load(const Ray& ray) {
+        set(0, ray);
+        valid_[0] = ray.t_max > 0.f ? -1 : 0;
+    }
+
+    /// Takes the rays from `first` on, but not those that end before they start.
+    void load(const RayLanes& rays, std::size_t first) {
+        if constexpr (N == 1) return load(rays[first]);
+        auto& ray = rays_.ray;
+        copy(rays.origin.x, first, ray.org_x);
+        copy(rays.origin.y, first, ray.org_y);
+        copy(rays.origin.z, first, ray.org_z);
+        copy(rays.direction.x, first, ray.dir_x);
+        copy(rays.direction.y, first, ray.dir_y);
+        copy(rays.direction.z, first, ray.dir_z);
+        copy(rays.t_max, first, ray.tfar);
+        for (std::size_t i = 0; i < N; ++i) {
+            const bool taken = first + i < rays.count && ray.tfar[i] > 0.f;
+            valid_[i] = taken ? -1 : 0;
+            // Embree looks at all lanes of some packets, and stops the program at a NaN.
+            if (!taken) set(i, {glm::vec3(0.f), {0.f, 0.f, 1.f}, 0.f});
         }
-        for (std::size_t i = segments.size(); i < N; ++i) valid_[i] = 0;
     }
 
     void intersect(RTCScene scene, RTCIntersectContext& context) {
         for (std::size_t i = 0; i < N; ++i) rays_.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         if constexpr (N == 1) {
+            if (valid_[0] == 0) return;
             rtcIntersect1(scene, &context, reinterpret_cast<RTCRayHit*>(&rays_));
         } else if constexpr (N == 4) {
             rtcIntersect4(valid_.data(), scene, &context, reinterpret_cast<RTCRayHit4*>(&rays_));
@@ -81,23 +97,36 @@ class Packet {
 
     bool hidden(std::size_t i) const { return valid_[i] != 0 && rays_.ray.tfar[i] < 0.f; }
 
+    /// Puts what was found into the lanes from `first` on.
+    void store(EmbreeScene::FoundLanes& found, std::size_t first) const {
+        const auto& hit = rays_.hit;
+        copy(hit.geomID, found.geometry, first);
+        copy(hit.primID, found.primitive, first);
+        copy(rays_.ray.tfar, found.t, first);
+        copy(hit.u, found.u, first);
+        copy(hit.v, found.v, first);
+        copy(hit.Ng_x, found.ng.x, first);
+        copy(hit.Ng_y, found.ng.y, first);
+        copy(hit.Ng_z, found.ng.z, first);
+    }
+
  private:
-    void set(std::size_t i, const glm::vec3& origin, const glm::vec3& direction, float t_max) {
-        auto& ray = rays_.ray;
-        ray.org_x[i] = origin.x;
-        ray.org_y[i] = origin.y;
-        ray.org_z[i] = origin.z;
-        ray.dir_x[i] = direction.x;
-        ray.dir_y[i] = direction.y;
-        ray.dir_z[i] = direction.z;
-        // Embree counts a surface at tnear as met; a point on a surface is not in front of it.
-        ray.tnear[i] = std::numeric_limits<float>::min();
-        ray.tfar[i] = t_max;
-        ray.time[i] = 0.f;
-        ray.mask[i] = ~0u;
-        ray.id[i] = 0;
-        ray.flags[i] = 0;
-        valid_[i] = -1;
+    void set(std::size_t i, const Ray& ray) {
+        rays_.ray.org_x[i] = ray.origin.x;
+        rays_.ray.org_y[i] = ray.origin.y;
+        rays_.ray.org_z[i] = ray.origin.z;
+        rays_.ray.dir_x[i] = ray.direction.x;
+        rays_.ray.dir_y[i] = ray.direction.y;
+        rays_.ray.dir_z[i] = ray.direction.z;
+        rays_.ray.tfar[i] = ray.t_max;
+    }
+
+    static void copy(const Lanes<float>& from, std::size_t first, float* to) {
+        std::copy_n(from.data() + first, N, to);
+    }
+    template <typename T>
+    static void copy(const T* from, Lanes<T>& to, std::size_t first) {
+        std::copy_n(from, N, to.data() + first);
     }
 
     // Of Embree's types this has the layout of those for one ray and for packets of 4, 8 and 16.

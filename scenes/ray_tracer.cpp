@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/ray_tracer.h"
 
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -68,13 +67,13 @@ void with_width(int width, const Function& f) {
     }
 }
 
-}  // namespace
-
-glm::vec3 offset_origin(const Hit& hit, const glm::vec3& n) {
-    // The error box seen along n: beyond it the point is on the side of n for sure.
-    const glm::vec3 size = glm::abs(n);
-    return hit.position + n * (hit.position_error * (size.x + size.y + size.z));
+PLUMBLINE_WIDE void ways_along(const SegmentLanes& segments, RayLanes& ways) {
+    ways.count = segments.count;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < segments.count; ++i) ways.set(i, way_along(segments[i]));
 }
+
+}  // namespace
 
 RayTracer::RayTracer(const World& world)
     : world_(world),
@@ -86,37 +85,31 @@ RayTracer::RayTracer(const World& world, int packet_width)
 
 RayTracer::~RayTracer() = default;
 
-void RayTracer::intersect(std::span<const Ray> rays, BackFaces back_faces, Coherence coherence,
-                          std::span<std::optional<Hit>> hits) const {
-    assert(rays.size() == hits.size());
+void RayTracer::intersect(const RayLanes& rays, BackFaces back_faces, Coherence coherence,
+                          HitLanes& hits) const {
     CullingContext context = context_for(*embree_, back_faces, coherence);
+    EmbreeScene::FoundLanes found;
     with_width(packet_width_, [&]<typename P>() {
         P packet;
-        for (std::size_t first = 0; first < rays.size(); first += P::width) {
-            const auto part = rays.subspan(first, std::min(P::width, rays.size() - first));
-            packet.load(part);
+        for (std::size_t first = 0; first < rays.count; first += P::width) {
+            packet.load(rays, first);
             packet.intersect(embree_->scene(), context.embree);
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                if (packet.found(i)) {
-                    hits[first + i] = embree_->hit(part[i], packet.hit(i));
-                } else {
-                    hits[first + i].reset();
-                }
-            }
+            packet.store(found, first);
         }
     });
+    embree_->hits(rays, found, hits);
 }
 
-void RayTracer::occluded(std::span<const Segment> segments, std::span<bool> hidden) const {
-    assert(segments.size() == hidden.size());
+void RayTracer::occluded(const SegmentLanes& segments, Lanes<std::int32_t>& hidden) const {
     CullingContext context = context_for(*embree_, BackFaces::Hit, Coherence::Incoherent);
+    RayLanes ways;
+    ways_along(segments, ways);
     with_width(packet_width_, [&]<typename P>() {
         P packet;
-        for (std::size_t first = 0; first < segments.size(); first += P::width) {
-            const std::size_t count = std::min(P::width, segments.size() - first);
-            packet.load(segments.subspan(first, count));
+        for (std::size_t first = 0; first < ways.count; first += P::width) {
+            packet.load(ways, first);
             packet.occluded(embree_->scene(), context.embree);
-            for (std::size_t i = 0; i < count; ++i) hidden[first + i] = packet.hidden(i);
+            for (std::size_t i = 0; i < P::width; ++i) hidden[first + i] = packet.hidden(i);
         }
     });
 }
@@ -124,7 +117,7 @@ void RayTracer::occluded(std::span<const Segment> segments, std::span<bool> hidd
 std::optional<Hit> RayTracer::intersect(const Ray& ray, BackFaces back_faces) const {
     CullingContext context = context_for(*embree_, back_faces, Coherence::Incoherent);
     Packet<1> packet;
-    packet.load({&ray, 1});
+    packet.load(ray);
     packet.intersect(embree_->scene(), context.embree);
     if (!packet.found(0)) return std::nullopt;
     return embree_->hit(ray, packet.hit(0));
@@ -132,9 +125,8 @@ std::optional<Hit> RayTracer::intersect(const Ray& ray, BackFaces back_faces) co
 
 bool RayTracer::occluded(const glm::vec3& a, const glm::vec3& b) const {
     CullingContext context = context_for(*embree_, BackFaces::Hit, Coherence::Incoherent);
-    const Segment segment{a, b};
     Packet<1> packet;
-    packet.load({&segment, 1});
+    packet.load(way_along({a, b}));
     packet.occluded(embree_->scene(), context.embree);
     return packet.hidden(0);
 }

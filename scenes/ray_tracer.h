@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 
+#include "scenes/lanes.h"
 #include "scenes/world.h"
 
 namespace plumbline {
@@ -37,16 +37,50 @@ enum class BackFaces {
 /// fast the answer comes, never the answer.
 enum class Coherence { Incoherent, Coherent };
 
-/// The straight way from `a` to `b`.
-struct Segment {
-    glm::vec3 a;
-    glm::vec3 b;
-};
+/// A start for a ray that leaves the surface at `position` in a direction with a positive component
+/// along `n`: off the surface by its rounding error, so that the ray cannot meet the surface it
+/// left [Pharr et al. 2023, section 6.8.6].
+inline glm::vec3 offset_origin(const glm::vec3& position, float position_error,
+                               const glm::vec3& n) {
+    // The error box seen along n: beyond it the point is on the side of n for sure.
+    const glm::vec3 size = glm::abs(n);
+    return position + n * (position_error * (size.x + size.y + size.z));
+}
+inline glm::vec3 offset_origin(const Hit& hit, const glm::vec3& n) {
+    return offset_origin(hit.position, hit.position_error, n);
+}
 
-/// A start for a ray that leaves `hit` in a direction with a positive component along `n`: off
-/// the surface by its rounding error, so that the ray cannot meet the surface it left
-/// [Pharr et al. 2023, section 6.8.6].
-glm::vec3 offset_origin(const Hit& hit, const glm::vec3& n);
+/// What rays met: `count` points, in the order of the rays that met any.
+struct HitLanes {
+    std::size_t count = 0;
+    Lanes<std::uint32_t> ray;  ///< which ray met it
+    Lanes<float> t;
+    Lanes3 position;
+    Lanes<float> position_error;
+    Lanes3 n;  ///< on the side that was hit
+    Lanes<std::int32_t> back;
+    Lanes<int> object, material;
+    Lanes3 albedo;
+    Lanes<unsigned> geometry, primitive;
+
+    Hit operator[](std::size_t i) const {
+        return {t[i],         position[i], position_error[i], back[i] != 0 ? -n[i] : n[i],
+                back[i] != 0, object[i],   material[i],       albedo[i],
+                geometry[i],  primitive[i]};
+    }
+    void set(std::size_t i, const Hit& hit) {
+        t[i] = hit.t;
+        position.set(i, hit.position);
+        position_error[i] = hit.position_error;
+        n.set(i, hit.n());
+        back[i] = hit.back ? 1 : 0;
+        object[i] = hit.object;
+        material[i] = hit.material;
+        albedo.set(i, hit.albedo);
+        geometry[i] = hit.geometry;
+        primitive[i] = hit.primitive;
+    }
+};
 
 class EmbreeScene;
 
@@ -55,7 +89,7 @@ class RayTracer {
  public:
     /// Builds the BVH; `world` must outlive it. Throws SceneError if Embree runs out of memory.
     explicit RayTracer(const World& world);
-    /// Traces rays that come together in packets of 1, 4, 8 or 16; else the widest that Embree
+    /// Traces rays that come in lanes in packets of 1, 4, 8 or 16; else the widest that Embree
     /// calls native to the machine.
     RayTracer(const World& world, int packet_width);
     ~RayTracer();
@@ -68,12 +102,12 @@ class RayTracer {
     /// True if something lies strictly between the points `a` and `b`; backs are opaque too.
     bool occluded(const glm::vec3& a, const glm::vec3& b) const;
 
-    /// hits[i] becomes what intersect(rays[i], back_faces) is; as many hits as rays.
-    void intersect(std::span<const Ray> rays, BackFaces back_faces, Coherence coherence,
-                   std::span<std::optional<Hit>> hits) const;
+    /// What intersect(ray, back_faces) is for each of the rays that meet something.
+    void intersect(const RayLanes& rays, BackFaces back_faces, Coherence coherence,
+                   HitLanes& hits) const;
 
-    /// hidden[i] becomes occluded(segments[i].a, segments[i].b); as many answers as segments.
-    void occluded(std::span<const Segment> segments, std::span<bool> hidden) const;
+    /// hidden[i] becomes occluded(a, b) for the segment i; as many answers as segments.
+    void occluded(const SegmentLanes& segments, Lanes<std::int32_t>& hidden) const;
 
     const World& world() const { return world_; }
 

