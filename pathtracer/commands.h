@@ -14,6 +14,7 @@ namespace pathtracer {
 
 void add_render_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
+void add_prove_command(CLI::App& app);
 
 }  // namespace pathtracer
 
