@@ -7,8 +7,10 @@
 #include <tbb/parallel_for.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
+#include "pathtracer/kernels.h"
 #include "pathtracer/passes.h"
 #include "scenes/scene_files.h"
 #include "tests/bench/embree_replay.h"
@@ -49,6 +51,17 @@ class RecordingTracer {
     const RayTracer& tracer_;
     Queries& queries_;
 };
+
+std::string names_of(Effects effects) {
+    constexpr std::array names{"point", "emission",    "environment", "sphere",
+                               "spot",  "directional", "aim emitter", "environment image"};
+    std::string all;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if ((effects.bits >> i & 1u) == 0) continue;
+        all += (all.empty() ? "" : ", ") + std::string(names[i]);
+    }
+    return all;
+}
 
 /// A scene ready to render, and the rays that rendering it takes.
 struct Workload {
@@ -114,6 +127,20 @@ void render(benchmark::State& state) {
         benchmark::Counter(double(state.iterations()) / relmse, benchmark::Counter::kIsRate);
 }
 
+/// The same render by a kernel that may do more than the scene calls for: what it takes longer than
+/// the scene's own is the cost of effects that the scene lacks, were they not compiled out.
+void kernel(benchmark::State& state) {
+    const Workload& work = workload(state.range(0));
+    const Effects effects = kernels[std::size_t(state.range(1))];
+    Progress::silence();
+    for (auto _ : state) {
+        Passes passes(work.tracer, effects, {}, 0);
+        Progress progress("benchmark", passes.tiles());
+        passes.add({0, Sampler::batch_size, Sampler::batch_size}, progress);
+    }
+    state.SetLabel(names_of(effects));
+}
+
 /// Replays one kind of rays, N at a time, on all threads.
 template <int N>
 void replay_packets(benchmark::State& state) {
@@ -153,6 +180,16 @@ BENCHMARK(render)
     ->UseRealTime()
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(kernel)
+    ->ArgNames({"scene", "kernel"})
+    ->Apply([](auto* benchmark) {
+        for (int scene = 0; scene < 2; ++scene) {
+            for (std::size_t i = 0; i < kernels.size(); ++i) {
+                if (covers(kernels[i], Effects{} | Effect::PointLights))
+                    benchmark->Args({scene, int(i)});
+            }
+        }
+    }) -> UseRealTime() -> MeasureProcessCPUTime() -> Unit(benchmark::kMillisecond);
 BENCHMARK(replay)
     ->ArgNames({"scene", "kind", "width"})
     ->ArgsProduct({{0, 1}, {Camera, Bounce, Shadow}, {1, 4, 8, 16}})
