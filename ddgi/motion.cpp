@@ -23,10 +23,11 @@ float half_area(const Bounds& box) {
 
 /// Where an object was, and where it is.
 void add_boxes(const Bounds& was, const Bounds& is, std::vector<Bounds>& boxes) {
-    if (was.empty() || is.empty()) return;  // an object without surfaces
     Bounds both = was;
     both.extend(is);
-    if (half_area(both) <= half_area(was) + half_area(is)) {
+    if (both.empty()) return;  // an object without surfaces
+    // A sphere scaled to nothing has no box, but it had one, or will have.
+    if (was.empty() || is.empty() || half_area(both) <= half_area(was) + half_area(is)) {
         boxes.push_back(with_margin(both));
         return;
     }
