@@ -13,6 +13,7 @@
 #include "compare/thresholds.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
+#include "scenes/option_values.h"
 #include "scenes/progress.h"
 #include "scenes/whole_file.h"
 
@@ -158,7 +159,7 @@ void add_flip_options(CLI::App& command, FlipOptions& flip) {
     command
         .add_option("--ppd,--pixels-per-degree", flip.pixels_per_degree,
                     "How large FLIP's viewer sees the picture (default: 67.02)")
-        ->check(CLI::Range(1., 1000.));
+        ->check(from_to(1., 1000.));
     command.add_option("--start-exposure", flip.start_exposure,
                        "First exposure of HDR-FLIP, stops (default: from the reference)");
     command.add_option("--stop-exposure", flip.stop_exposure,

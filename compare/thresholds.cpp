@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "scenes/errors.h"
 
 namespace plumbline::compare {
 
 namespace {
+
+const std::set<std::string> may_be_negative = {"bias", "psnr_db", "ssim"};
 
 std::string metric_names() {
     std::string names;
@@ -37,6 +40,9 @@ Threshold parse_threshold(const std::string& text) {
     if (value.empty() || *end != '\0' || std::isnan(limit))
         throw UsageError("--fail-above", fmt::format("'{}' has no number", text),
                          fmt::format("write {}=0.01", name));
+    if (std::isinf(limit) || (limit < 0. && !may_be_negative.contains(name)))
+        throw UsageError("--fail-above", fmt::format("'{}' says the same of all images", text),
+                         fmt::format("give a value that {} can take", name));
     return {*found, limit};
 }
 

@@ -11,6 +11,7 @@
 #include "ddgi/render.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
+#include "scenes/option_values.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -21,7 +22,7 @@ struct Arguments {
     std::string scene;
     std::string output;
     std::vector<std::string> set;
-    std::string gi = "on";
+    bool gi = true;
     bool no_shift = false;
     bool no_parallax = false;
     bool no_cache = false;
@@ -78,7 +79,7 @@ nlohmann::ordered_json json_of(const DdgiResult& result, const DdgiOptions& opti
 void run(Arguments& arguments) {
     check_output(arguments.output);
     for (const std::string& text : arguments.set) arguments.ddgi.set.insert(parse_constant(text));
-    arguments.ddgi.gi = arguments.gi == "on";
+    arguments.ddgi.gi = arguments.gi;
     arguments.ddgi.cache = !arguments.no_cache;
     arguments.ddgi.probes.shifted = !arguments.no_shift;
     arguments.ddgi.probes.parallax = !arguments.no_parallax;
@@ -114,8 +115,8 @@ void add_probe_options(CLI::App& command, Arguments& arguments) {
             "NAME=VALUE: a constant of the model under its published name; may be repeated. "
             "multiBounceIntensity is 0, no feedback, unless set here")
         ->allow_extra_args(false);
-    command.add_option("--gi", arguments.gi, "off: direct light only, no probes (default: on)")
-        ->check(CLI::IsMember({"on", "off"}));
+    add_choice(command, "--gi", arguments.gi, {{"on", true}, {"off", false}},
+               "off: direct light only, no probes (default: on)");
     command.add_flag("--no-cache", arguments.no_cache, "Place every surfel afresh each frame");
     command.add_option("--shadow-rays", options.shadow_rays,
                        "Shadow rays a pixel sample and light: the more, the smoother the soft "
@@ -129,21 +130,19 @@ void add_probe_options(CLI::App& command, Arguments& arguments) {
 /// The choices of the model conserving.
 void add_model_options(CLI::App& command, Arguments& arguments) {
     ProbeOptions& options = arguments.ddgi.probes;
-    const auto choice = [&](const std::string& flag, auto& value, const auto& names,
-                            const std::string& what) {
-        command.add_option(flag, value, what)
-            ->transform(CLI::CheckedTransformer(names, CLI::ignore_case).description(""));
-    };
-    choice("--storage", options.storage, storage_names,
-           "What a probe of conserving keeps: the radiance of all its rays, or the mean of each "
-           "octant: rays, octants (default: rays)");
-    choice("--weights", options.weights, weights_names,
-           "How conserving tempers the trilinear weights of probes: none, backface (those behind "
-           "a surface fade), visibility (those that a point does not see do not count) (default: "
-           "visibility)");
-    choice("--feedback", options.feedback, feedback_names,
-           "What surfels of conserving take the probes' light from: maps of irradiance made once "
-           "an update, or rays, as pixels do: slower (default: maps)");
+    add_choice(
+        command, "--storage", options.storage, storage_names,
+        "What a probe of conserving keeps: the radiance of all its rays, or the mean of each "
+        "octant: rays, octants (default: rays)");
+    add_choice(
+        command, "--weights", options.weights, weights_names,
+        "How conserving tempers the trilinear weights of probes: none, backface (those behind "
+        "a surface fade), visibility (those that a point does not see do not count) (default: "
+        "visibility)");
+    add_choice(
+        command, "--feedback", options.feedback, feedback_names,
+        "What surfels of conserving take the probes' light from: maps of irradiance made once "
+        "an update, or rays, as pixels do: slower (default: maps)");
     command.add_flag(
         "--no-shift", arguments.no_shift,
         "All probes of conserving have the same ray pattern, not one shifted for each");

@@ -12,6 +12,7 @@
 #include "pathtracer/render.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
+#include "scenes/option_values.h"
 
 namespace plumbline::pathtracer {
 namespace {
@@ -82,17 +83,6 @@ void run(Arguments& arguments) {
     remove_checkpoint(checkpoints.file);
     tell(*result, arguments.output);
     if (arguments.json) print_json(*result);
-}
-
-/// CLI11 reads "nan" as a number; nothing compares with it.
-CLI::Validator above_zero() {
-    return CLI::Validator(
-        [](const std::string& text) {
-            double value = 0.;
-            const bool above = CLI::detail::lexical_cast(text, value) && value > 0.;
-            return above ? std::string() : fmt::format("'{}' is not a number above 0", text);
-        },
-        "NUMBER > 0");
 }
 
 }  // namespace
