@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "scenes/printable.h"
+
 namespace plumbline {
 namespace {
 
@@ -43,15 +45,9 @@ std::string listed(std::span<const std::string> known) {
 std::string in_quotes(std::string_view text) {
     std::string shown(text);
     if (shown.size() > longest_shown) {
-        shown = shown.substr(0, longest_shown / 2) + "..." +
-                shown.substr(shown.size() - longest_shown / 2);
+        shown.replace(longest_shown / 2, shown.size() - 2 * (longest_shown / 2), "...");
     }
-    std::string line;
-    for (const char c : shown) {
-        const auto byte = static_cast<unsigned char>(c);
-        line += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-    }
-    return '"' + line + '"';
+    return '"' + printable(shown) + '"';
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> known) {

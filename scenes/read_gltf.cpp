@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "scenes/printable.h"
 #include "scenes/read_json.h"
 #include "scenes/scene_checks.h"
 
@@ -87,7 +88,7 @@ std::optional<JsonView> extension(const JsonView& item, const std::string& name)
 Scene read_gltf_scene(const std::filesystem::path& path) {
     const GltfDocument document = open_gltf(path);
     GltfBeingRead gltf(document, path.parent_path());
-    gltf.scene.name = path.stem().string();
+    gltf.scene.name = printable(path.stem().string());
     if (const auto shown = scene_shown(gltf.root)) {
         if (const auto name = shown->find("name")) gltf.scene.name = name->text();
         if (const auto extras = plumbline_extras(*shown))

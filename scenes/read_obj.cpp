@@ -10,6 +10,7 @@
 
 #include "scenes/errors.h"
 #include "scenes/nearest_name.h"
+#include "scenes/printable.h"
 #include "scenes/text_lines.h"
 
 namespace plumbline {
@@ -118,7 +119,7 @@ ObjFile read_obj(const std::filesystem::path& path) {
         } else if (kind == "f") {
             read.read_face();
         } else if (kind == "usemtl") {
-            read.use_material(read.lines.rest());
+            read.use_material(printable(read.lines.rest()));
         } else if (kind == "mtllib") {
             read.file.libraries.push_back(read.lines.rest());
         } else if (kind == "vn" || kind == "s") {
@@ -141,7 +142,7 @@ std::vector<Material> read_mtl(const std::filesystem::path& path) {
         const std::string_view kind = lines.words().front();
         if (kind == "newmtl") {
             materials.emplace_back();
-            materials.back().name = lines.rest();
+            materials.back().name = printable(lines.rest());
         } else if (kind == "Kd" || kind == "Ke") {
             if (materials.empty()) lines.fail("stands before any newmtl", "begin with newmtl NAME");
             const Spectrum value(lines.number(1), lines.number(2), lines.number(3));

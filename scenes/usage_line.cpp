@@ -6,6 +6,7 @@
 
 #include "scenes/command_line.h"
 #include "scenes/nearest_name.h"
+#include "scenes/printable.h"
 
 namespace plumbline {
 namespace {
@@ -54,9 +55,8 @@ std::string problem_of(const CLI::ParseError& error) {
     return text;
 }
 
-}  // namespace
-
-std::string usage_line(const CLI::App& app, const CLI::ParseError& error) {
+/// The line, with whatever the words have in them.
+std::string told(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<CLI::App*> parsed = app.get_subcommands();
     if (parsed.empty()) {
         const std::vector<std::string> words = app.remaining();
@@ -73,6 +73,12 @@ std::string usage_line(const CLI::App& app, const CLI::ParseError& error) {
     }
     return fmt::format("{0}: {1}; plumbline {0} --help tells what it takes", command.get_name(),
                        problem_of(error));
+}
+
+}  // namespace
+
+std::string usage_line(const CLI::App& app, const CLI::ParseError& error) {
+    return printable(told(app, error));
 }
 
 }  // namespace plumbline
