@@ -112,7 +112,8 @@ void add_probe_options(CLI::App& command, Arguments& arguments) {
     command
         .add_option(
             "--set", arguments.set,
-            "NAME=VALUE: a constant of the model under its published name; may be repeated. "
+            "NAME=VALUE: a constant of the model thesis under its published name, or a setting of "
+            "irradiance, such as published=1; may be repeated. "
             "multiBounceIntensity is 0, no feedback, unless set here")
         ->allow_extra_args(false);
     add_choice(command, "--gi", arguments.gi, {{"on", true}, {"off", false}},
@@ -145,7 +146,7 @@ void add_model_options(CLI::App& command, Arguments& arguments) {
         "an update, or rays, as pixels do: slower (default: maps)");
     command.add_flag(
         "--no-shift", arguments.no_shift,
-        "All probes of conserving have the same ray pattern, not one shifted for each");
+        "All probes have the same ray pattern, not one shifted for each; not for thesis");
     command.add_flag("--no-parallax", arguments.no_parallax,
                      "Pixels take rays' ends to be as far from them as from the probe");
     command.add_option("--edge-samples", arguments.ddgi.edge_samples,

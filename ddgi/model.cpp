@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ddgi/conserving_model.h"
+#include "ddgi/irradiance_model.h"
 #include "ddgi/rays_model.h"
 #include "ddgi/steps_model.h"
 #include "ddgi/thesis_model.h"
@@ -20,7 +21,7 @@ void refuse_constants(const std::string& model, const std::map<std::string, doub
     if (set.empty()) return;
     throw UsageError("--set " + set.begin()->first,
                      fmt::format("the model {} has no constants to set", model),
-                     "leave --set out, or give --model thesis");
+                     "leave --set out, or give --model thesis or --model irradiance");
 }
 
 ModelSetup make_thesis(const Scene& scene, const ProbeGrid& grid,
@@ -54,12 +55,20 @@ Spectrum ProbeModel::ambient(const Spectrum&) const { return Spectrum(0.f); }
 
 std::map<std::string, double> ProbeModel::constants() const { return {}; }
 
-std::vector<std::string> model_names() { return {"conserving", "thesis"}; }
+RayPattern ProbeModel::turned_pattern(int surfels, int) const { return pattern(surfels); }
+
+void ProbeModel::take_world(const RayTracer&, const SurfelCache&, const Motion*) {}
+
+std::vector<std::string> model_names() { return {"conserving", "irradiance", "thesis"}; }
 
 ModelSetup make_model(const std::string& name, const Scene& scene, const ProbeGrid& grid,
                       const std::map<std::string, double>& set, const ProbeOptions& options) {
     if (name == "thesis") return make_thesis(scene, grid, set);
     if (name == "steps") return make_steps(scene, grid, set);
+    if (name == "irradiance") {
+        return {std::make_unique<IrradianceModel>(grid, irradiance_settings(set), options.shifted),
+                {}};
+    }
     if (name == "conserving") {
         refuse_constants(name, set);
         return {make_conserving(grid, options), {}};

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct ReceiverPoint {
     glm::vec3 n;         ///< unit normal on the side that is seen
     Spectrum albedo;
     std::uint8_t seen = all_probes;  ///< see seen_probes(); asked for with Visibility only
+    glm::vec3 to_viewer{0.f};        ///< unit
 };
 
 /// A way to fill probes from surfels and to light surfaces from probes.
@@ -37,8 +39,25 @@ class ProbeModel {
     /// Values a probe and channel, where probes have `surfels` rays.
     virtual std::size_t bins(int surfels) const = 0;
 
+    /// Whether every update takes other rays: surfels are then placed afresh for each.
+    virtual bool turns_rays() const { return false; }
+    /// The rays of update number `update` of a model that turns them.
+    virtual RayPattern turned_pattern(int surfels, int update) const;
+    /// Whether updates that no longer change the values never will again.
+    virtual bool settles() const { return true; }
+    /// Updates that a still takes, of a model that cannot converge.
+    virtual std::optional<int> updates_of_still() const { return std::nullopt; }
+    /// Whether an update is linear in the values, and so has a spectral radius.
+    virtual bool is_linear() const { return true; }
+
+    /// Takes in the world whose surfels take_surfels() is about to bring. `motion` leads here from
+    /// that of the last call; null says that anything may have changed.
+    virtual void take_world(const RayTracer& tracer, const SurfelCache& cache,
+                            const Motion* motion);
     /// Takes in new surfels, which stay as they are until the next call; `cache` must live on.
     virtual void take_surfels(const SurfelCache& cache) = 0;
+    /// Says that an update of the volume follows, to a model that itself remembers the last ones.
+    virtual void begin_update() {}
     /// One update of all probes.
     virtual void update(std::span<const float> previous, std::span<float> next) const = 0;
 
@@ -65,8 +84,8 @@ struct ModelSetup {
 std::vector<std::string> model_names();
 
 /// Makes a model for a scene whose probes stand on `grid`, which may differ from the scene's own.
-/// `set` overrides constants; `options` are for conserving. Throws UsageError for an unknown model
-/// or constant, or a value out of range.
+/// `set` overrides constants; `options` are for conserving, and `shifted` for irradiance too.
+/// Throws UsageError for an unknown model or constant, or a value out of range.
 ModelSetup make_model(const std::string& name, const Scene& scene, const ProbeGrid& grid,
                       const std::map<std::string, double>& set, const ProbeOptions& options);
 

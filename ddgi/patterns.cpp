@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "scenes/errors.h"
 
@@ -102,6 +103,18 @@ RayPattern sphere_pattern(int surfels, bool shifted) {
         pattern.directions.push_back(sphere_direction(i, surfels, .5, 0.));
     }
     return pattern;
+}
+
+RayPattern turned(const RayPattern& pattern, int turn) {
+    const glm::dvec3 u = glm::fract((turn + .5) * height_shifts);
+    const double a = std::sqrt(1. - u.x);
+    const double b = std::sqrt(u.x);
+    const glm::dquat rotation(b * std::cos(2. * pi * u.z), a * std::sin(2. * pi * u.y),
+                              a * std::cos(2. * pi * u.y), b * std::sin(2. * pi * u.z));
+    RayPattern result = pattern;
+    for (glm::vec3& direction : result.directions)
+        direction = glm::vec3(glm::normalize(rotation * glm::dvec3(direction)));
+    return result;
 }
 
 std::vector<glm::vec3> probe_directions(const RayPattern& pattern, const glm::ivec3& cell) {

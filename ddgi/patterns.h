@@ -54,6 +54,10 @@ RayPattern even_pattern(int surfels);
 /// `surfels` is a positive multiple of 8; throws UsageError otherwise.
 RayPattern sphere_pattern(int surfels, bool shifted);
 
+/// The same rays turned together by rotation number `turn` of a sequence that is even over all
+/// rotations: the unit quaternions of [Shoemake 1992] at the points of [Roberts 2018].
+RayPattern turned(const RayPattern& pattern, int turn);
+
 /// The directions of the probe at `cell` of its grid.
 ///
 /// The shifts follow a rank-1 lattice over the grid [Roberts 2018], so that probes near each other

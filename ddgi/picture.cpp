@@ -66,6 +66,7 @@ void add_sample(const View& view, const Ray& ray, PixelSums& sums) {
     sums.shadow_rays += light.shadow_rays;
     sums.ambient += view.model.ambient(hit->albedo);
     if (view.volume != nullptr) {
+        point.to_viewer = -ray.direction;
         if (view.model.weights() == ProbeWeights::Visibility) {
             point.seen =
                 seen_probes(view.tracer, view.volume->cache().grid(), point.position, point.n);

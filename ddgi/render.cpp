@@ -88,6 +88,11 @@ void describe(Image& image, const Scene& scene, int frame, const DdgiOptions& op
 /// Says how the probes feed themselves, and warns where that cannot end well.
 void measure_feedback(const Scene& scene, const ProbeVolume& volume, const DdgiOptions& options,
                       DdgiResult& result) {
+    if (!volume.model().is_linear()) {
+        result.notes.emplace_back(
+            "the probe update is not linear in what the probes hold: it has no spectral radius");
+        return;
+    }
     std::vector<float> mode;
     const Stopwatch watch;
     const SpectralRadius radius = spectral_radius(

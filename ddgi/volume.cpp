@@ -22,6 +22,7 @@ ProbeGrid grid_for(const Scene& scene, const DdgiOptions& options) {
 ProbeVolume::ProbeVolume(const Scene& scene, const DdgiOptions& options)
     : scene_(scene),
       caching_(options.cache),
+      surfels_(options.surfels),
       grid_(grid_for(scene, options)),
       setup_(make_model(options.model, scene, grid_, options.set, options.probes)),
       bins_(setup_.model->bins(options.surfels)),
@@ -44,24 +45,47 @@ void ProbeVolume::move_to(int frame) {
     if (changed) stage_ = std::make_unique<Stage>(std::move(world));
     figures_.bvh_ms = watch.ms();
 
-    if (first || !caching_) {
+    if (setup_.model->turns_rays()) {
+        turn_rays();
+        return;
+    }
+    const bool afresh = first || !caching_;
+    if (afresh) {
         cache_.rebuild(stage_->tracer);
     } else {
         cache_.refresh(stage_->tracer, motion);
     }
-    figures_.place_ms = cache_.figures().place_ms;
-    figures_.light_ms = cache_.figures().light_ms;
-    figures_.replaced = cache_.figures().replaced;
-    figures_.surfel_shadow_rays = cache_.figures().shadow_rays;
+    note_surfels();
+    if (!changed && caching_) return;
+
+    const Stopwatch lighting;
+    setup_.model->take_world(stage_->tracer, cache_, afresh ? nullptr : &motion);
+    setup_.model->take_surfels(cache_);
+    settled_ = false;
+    figures_.light_ms += lighting.ms();
+}
+
+/// Adds what the cache's last call did to the frame's figures.
+void ProbeVolume::note_surfels() {
+    figures_.place_ms += cache_.figures().place_ms;
+    figures_.light_ms += cache_.figures().light_ms;
+    figures_.replaced += cache_.figures().replaced;
+    figures_.surfel_shadow_rays += cache_.figures().shadow_rays;
     figures_.shadow_rays = figures_.surfel_shadow_rays;
     figures_.probes = probe_count(grid_);
     figures_.surfels = cache_.surfels().size();
     figures_.surfels_hit = cache_.hits();
-    if (!changed && caching_) return;
+}
 
+void ProbeVolume::turn_rays() {
+    ProbeModel& model = *setup_.model;
+    cache_ = SurfelCache(grid_, model.turned_pattern(surfels_, turns_++), model.reach(),
+                         model.weights());
+    cache_.rebuild(stage_->tracer);
+    note_surfels();
     const Stopwatch lighting;
-    setup_.model->take_surfels(cache_);
-    settled_ = false;
+    model.take_world(stage_->tracer, cache_, nullptr);
+    model.take_surfels(cache_);
     figures_.light_ms += lighting.ms();
 }
 
@@ -72,17 +96,24 @@ void ProbeVolume::update() {
         figures_.converged = true;
         return;
     }
+    // The first update of a frame takes the rays that move_to() placed.
+    if (setup_.model->turns_rays() && figures_.updates > 1) turn_rays();
     const Stopwatch watch;
+    setup_.model->begin_update();
     setup_.model->update(values_, next_);
     const Change change = change_between(values_, next_, 3 * bins_);
     values_.swap(next_);
-    settled_ = change.none;
+    settled_ = change.none && setup_.model->settles();
     figures_.relative_change = change.relative;
     figures_.converged = change.relative < convergence_threshold;
     figures_.light_ms += watch.ms();
 }
 
 void ProbeVolume::converge() {
+    if (const auto updates = setup_.model->updates_of_still()) {
+        while (figures_.updates < *updates) update();
+        return;
+    }
     while (!figures_.converged && figures_.updates < most_updates) update();
 }
 

@@ -27,7 +27,8 @@ class ProbeVolume {
     /// since: it would change none either.
     void update();
 
-    /// Updates until FrameFigures::converged, `most_updates` at most.
+    /// Updates until FrameFigures::converged, `most_updates` at most; a model that cannot converge,
+    /// ProbeModel::updates_of_still() times.
     void converge();
 
     const RayTracer& tracer() const;
@@ -40,8 +41,12 @@ class ProbeVolume {
  private:
     struct Stage;
 
+    void turn_rays();
+    void note_surfels();
+
     const Scene& scene_;
     bool caching_;
+    int surfels_;  ///< a probe
     ProbeGrid grid_;
     ModelSetup setup_;
     std::size_t bins_;  ///< values a probe and channel
@@ -50,6 +55,7 @@ class ProbeVolume {
     std::vector<float> values_;     ///< what the probes hold, see value_index()
     std::vector<float> next_;       ///< what an update writes
     bool settled_ = false;          ///< another update would change no bit
+    int turns_ = 0;                 ///< of the rays so far, if the model turns them
     FrameFigures figures_;
 };
 

@@ -126,6 +126,46 @@ void add_choices(std::vector<AblationCase>& cases) {
     }
 }
 
+/// As published, but for rays that turn: a still has no need of memory, without which they need
+/// not.
+const std::map<std::string, double> published_at_rest{
+    {"published", 1}, {"turnedRays", 0}, {"hysteresis", 0}};
+
+/// Something that the published probes of irradiance do and the model leaves out, or the reverse.
+struct Departure {
+    const char* name;
+    const char* title;
+    std::map<std::string, double> set;
+};
+
+const std::vector<Departure>& departures() {
+    static const std::vector<Departure> all{
+        {"wrap", "probes behind the surface fade", {{"wrapShading", 1}}},
+        {"contrast", "visibility cubed", {{"visibilityPower", 3}}},
+        {"crush", "small weights crushed", {{"crushThreshold", .2}}},
+        {"bias", "biased along normal and view", {{"normalBias", .045}, {"viewBias", .18}}},
+        {"gamma", "roots of irradiance blended", {{"perceptualGamma", 5}}},
+        {"energy", "surfels take in 95 %", {{"energyPreservation", .95}}},
+        {"backs", "backs are black", {{"blackBacks", 1}}},
+        {"inside", "probes in something skipped", {{"skipInside", 1}}},
+        {"published", "all of these", published_at_rest},
+        {"blind", "no visibility", {{"chebyshev", 0}}},
+        {"blurred", "blurred distances", {{"depthSharpness", 1}}}};
+    return all;
+}
+
+/// The peer, without a bias and with each of its own.
+void add_irradiance(std::vector<AblationCase>& cases) {
+    const std::string group = "Irradiance maps with moments of distance";
+    ddgi::DdgiOptions options = with_model("irradiance");
+    cases.push_back(make_case(group, "irradiance", "irradiance", options));
+    for (const Departure& departure : departures()) {
+        options.set = departure.set;
+        cases.push_back(make_case(group, std::string("irradiance-") + departure.name,
+                                  std::string("irradiance, ") + departure.title, options));
+    }
+}
+
 }  // namespace
 
 std::vector<AblationCase> ablation_cases() {
@@ -134,6 +174,7 @@ std::vector<AblationCase> ablation_cases() {
     add_single_steps(cases);
     add_surfels(cases);
     add_choices(cases);
+    add_irradiance(cases);
     return cases;
 }
 
@@ -141,6 +182,11 @@ std::vector<AblationCase> leak_cases() {
     const std::string group = "Leak";
     std::vector<AblationCase> cases{
         make_case(group, "thesis", "thesis as published", with_model("thesis"))};
+    ddgi::DdgiOptions irradiance = with_model("irradiance");
+    cases.push_back(make_case(group, "irradiance", "irradiance", irradiance));
+    irradiance.set = published_at_rest;
+    cases.push_back(
+        make_case(group, "irradiance-published", "irradiance as published", irradiance));
     for (const auto& [storage_name, storage] : ddgi::storage_names) {
         for (const auto& [weights_name, weights] : ddgi::weights_names) {
             ddgi::DdgiOptions options = with_model("conserving");

@@ -18,7 +18,7 @@ struct AblationCase {
 };
 
 /// Every case, in the order of the table: the road from the thesis to conserving, each of its steps
-/// alone, and each choice of the default model changed alone.
+/// alone, each choice of the default model changed alone, and the peer with each of its biases.
 std::vector<AblationCase> ablation_cases();
 
 /// Every model and every way to weight its probes: those that may leak light in unlike ways.

@@ -96,6 +96,8 @@ std::vector<FrontierCase> frontier_cases(const Scene& scene, bool quick) {
     ddgi::DdgiOptions octants = with_model("conserving");
     octants.probes.storage = ddgi::Storage::Octants;
     add_surfels(cases, octants_method, octants, quick ? std::vector{64} : std::vector{16, 64, 256});
+    add_surfels(cases, "irradiance", with_model("irradiance"),
+                quick ? std::vector{64} : std::vector{16, 64, 256});
     add_surfels(cases, "conserving", with_model("conserving"), surfels);
     add_spacings(cases, "conserving", with_model("conserving"), scene, multiples);
     if (!quick) add_choices(cases);

@@ -149,7 +149,8 @@ TEST_CASE("the frontier's cases have options of their own", "[reports][frontier]
         CHECK(options.insert(one.options).second);
         methods.insert(one.method);
     }
-    CHECK(methods == std::set<std::string>{"thesis", "conserving", "conserving, octants"});
+    CHECK(methods ==
+          std::set<std::string>{"thesis", "irradiance", "conserving", "conserving, octants"});
     CHECK(frontier_cases(scene, true).size() < options.size());
 }
 

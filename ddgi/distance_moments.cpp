@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/distance_moments.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace plumbline::ddgi {
+namespace {
+
+constexpr int map_side = 16;  // [Majercik et al. 2019]
+
+/// In spacings, one and a half diagonals of a cell: beyond any point that looks the probe up, so
+/// that what is farther need not spread the moments, nor a miss make them infinite.
+const float farthest = 1.5f * std::sqrt(3.f);
+
+}  // namespace
+
+DistanceMoments::DistanceMoments(const ProbeGrid& grid, int sharpness)
+    : grid_(grid),
+      sharpness_(sharpness),
+      texels_(map_side),
+      moments_(probe_count(grid) * texels_.size(), Moments{0.f, 0.f}) {}
+
+void DistanceMoments::take(const ProbeDistances& distances, const Surfels& surfels,
+                           float back_shortening) {
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
+        if (distances.changed(probe)) take_probe(distances, surfels, back_shortening, 0.f, probe);
+    });
+}
+
+void DistanceMoments::blend(const ProbeDistances& distances, const Surfels& surfels,
+                            float back_shortening, float kept) {
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
+        take_probe(distances, surfels, back_shortening, kept, probe);
+    });
+}
+
+void DistanceMoments::take_probe(const ProbeDistances& distances, const Surfels& surfels,
+                                 float back_shortening, float kept, std::size_t probe) {
+    const std::size_t count = texels_.size();
+    std::vector<float> lobe(count);
+    std::vector<float> weight(count, 0.f);
+    std::vector<float> sum(count, 0.f);
+    std::vector<float> sum_of_squares(count, 0.f);
+    const auto rays = static_cast<std::size_t>(surfels.per_probe);
+    for (std::size_t i = probe * rays; i < (probe + 1) * rays; ++i) {
+        const float shortening = distances.back(i) ? back_shortening : 1.f;
+        const float distance =
+            std::min(shortening * distances.distance(i) / grid_.spacing, farthest);
+        const float square = distance * distance;
+        texels_.lobes(surfels.direction[i], sharpness_, lobe);
+        for (std::size_t t = 0; t < count; ++t) {
+            weight[t] += lobe[t];
+            sum[t] += lobe[t] * distance;
+            sum_of_squares[t] += lobe[t] * square;
+        }
+    }
+    for (std::size_t t = 0; t < count; ++t) {
+        assert(weight[t] > 0.f);  // rays are all around: one is well within a right angle
+        Moments& moments = moments_[probe * count + t];
+        const float mean = sum[t] / weight[t];
+        const float mean_square = sum_of_squares[t] / weight[t];
+        moments.mean = kept * moments.mean + (1.f - kept) * mean;
+        moments.mean_square = kept * moments.mean_square + (1.f - kept) * mean_square;
+    }
+}
+
+float DistanceMoments::visibility(std::size_t probe, const glm::vec3& x) const {
+    const glm::vec3 way =
+        (x - probe_position(grid_, static_cast<std::uint32_t>(probe))) / grid_.spacing;
+    const float r = glm::length(way);
+    if (r == 0.f) return 1.f;
+    const TexelBlend blend = texels_.at(way / r);
+    Moments mean{0.f, 0.f};
+    for (std::size_t k = 0; k < blend.texel.size(); ++k) {
+        const Moments& moments = moments_[probe * texels_.size() + blend.texel[k]];
+        mean.mean += blend.weight[k] * moments.mean;
+        mean.mean_square += blend.weight[k] * moments.mean_square;
+    }
+    if (r <= mean.mean) return 1.f;
+    // Cancellation: a variance of 0 may come out as 1e-6 of the square, of either sign.
+    const float variance = std::abs(mean.mean * mean.mean - mean.mean_square);
+    const float beyond = r - mean.mean;
+    return variance / (variance + beyond * beyond);
+}
+
+}  // namespace plumbline::ddgi

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/irradiance_model.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <limits>
+
+#include "ddgi/look_up.h"
+
+namespace plumbline::ddgi {
+namespace {
+
+constexpr int map_side = 8;           // [Majercik et al. 2019]
+constexpr float wrapped_least = .2f;  // what a probe right behind counts [Majercik et al. 2019]
+constexpr float inside_share = .25f;  // of rays that meet backs [Majercik et al. 2021]
+constexpr float back_distance = .2f;  // what is left of it [Majercik et al. 2021]
+
+/// A still whose rays turn never settles. It is updated until this is left of the error at the
+/// start, in a scene of this mean albedo.
+constexpr double left_of_start = .01;
+constexpr double usual_albedo = .5;
+
+float wrap_weight(float cosine) {
+    const float wrapped = (cosine + 1.f) / 2.f;
+    return wrapped * wrapped + wrapped_least;
+}
+
+/// Continuous at the threshold.
+float crushed(float weight, float threshold) {
+    return weight < threshold ? weight * weight * weight / (threshold * threshold) : weight;
+}
+
+}  // namespace
+
+IrradianceModel::IrradianceModel(const ProbeGrid& grid, const IrradianceSettings& settings,
+                                 bool shifted)
+    : grid_(grid),
+      settings_(settings),
+      shifted_(shifted),
+      texels_(map_side),
+      moments_(grid, static_cast<int>(settings.depthSharpness)),
+      inside_(probe_count(grid), 0) {}
+
+RayPattern IrradianceModel::pattern(int surfels) const {
+    return sphere_pattern(surfels, shifted_ && !turns_rays());
+}
+
+RayPattern IrradianceModel::turned_pattern(int surfels, int update) const {
+    return turned(pattern(surfels), update);
+}
+
+std::optional<int> IrradianceModel::updates_of_still() const {
+    if (!turns_rays()) return std::nullopt;
+    const double shrinks_by = settings_.hysteresis + (1. - settings_.hysteresis) * usual_albedo;
+    return static_cast<int>(std::ceil(std::log(left_of_start) / std::log(shrinks_by)));
+}
+
+float IrradianceModel::back_shortening() const {
+    return settings_.blackBacks != 0. ? back_distance : 1.f;
+}
+
+void IrradianceModel::take_world(const RayTracer& tracer, const SurfelCache& cache,
+                                 const Motion* motion) {
+    distances_.trace(tracer, cache, motion);
+    for (std::size_t probe = 0; probe < inside_.size(); ++probe) {
+        if (!distances_.changed(probe)) continue;
+        inside_[probe] = distances_.back_share(probe) >= inside_share;
+    }
+    if (settings_.chebyshev != 0. && !remembers())
+        moments_.take(distances_, cache.surfels(), back_shortening());
+}
+
+void IrradianceModel::take_surfels(const SurfelCache& cache) {
+    const bool afresh = cache_ == nullptr;
+    cache_ = &cache;
+    const Surfels& surfels = cache.surfels();
+    unfed_.resize(surfels.size());
+    around_.resize(surfels.size());
+    std::atomic<bool> any_emits = false;
+    tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
+        if (surfels.emission[i] != Spectrum(0.f)) any_emits = true;
+        if (!afresh && !cache.changed(i)) return;
+        unfed_[i] = surfels.emission[i];
+        if (surfels.hit(i)) unfed_[i] += surfels.albedo[i] / glm::pi<float>() * surfels.direct[i];
+    });
+    if (!remembers()) {
+        tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
+            if (!surfels.hit(i)) return;
+            const auto near = probe_neighbours(grid_, surfels.position[i]).probe;
+            if (afresh || cache.changed(i) ||
+                std::ranges::any_of(near, [&](auto probe) { return distances_.changed(probe); }))
+                weigh(i);
+        });
+    }
+    emitted_.clear();
+    if (!any_emits) return;
+    emitted_.resize(probe_count(grid_) * 3 * texels_.size());
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
+        gather(
+            probe, [&](std::size_t i) { return surfels.emission[i]; }, texels_of(emitted_, probe));
+    });
+}
+
+void IrradianceModel::begin_update() {
+    kept_ = updated_ ? static_cast<float>(settings_.hysteresis) : 0.f;
+    updated_ = true;
+    if (!remembers()) return;
+    const Surfels& surfels = cache_->surfels();
+    if (settings_.chebyshev != 0.) moments_.blend(distances_, surfels, back_shortening(), kept_);
+    tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
+        if (surfels.hit(i)) weigh(i);
+    });
+}
+
+void IrradianceModel::weigh(std::size_t surfel) {
+    const Surfels& surfels = cache_->surfels();
+    around_[surfel] =
+        weighted(surfels.position[surfel], surfels.n[surfel], -surfels.direction[surfel]);
+}
+
+float IrradianceModel::weight_of(std::size_t probe, const glm::vec3& x, const glm::vec3& n,
+                                 const glm::vec3& biased) const {
+    if (settings_.skipInside != 0. && inside_[probe] != 0) return 0.f;
+    const glm::vec3 way = probe_position(grid_, static_cast<std::uint32_t>(probe)) - x;
+    const float distance = glm::length(way);
+    const float cosine = distance > 0.f ? glm::dot(way, n) / distance : 1.f;
+    const bool wraps = settings_.wrapShading != 0.;
+    if (!wraps && cosine <= 0.f) return 0.f;
+    float weight = wraps ? wrap_weight(cosine) : 1.f;
+    if (settings_.chebyshev != 0.) {
+        const float visibility = std::pow(moments_.visibility(probe, biased),
+                                          static_cast<float>(settings_.visibilityPower));
+        weight *= std::max(visibility, static_cast<float>(settings_.leastVisibility));
+    }
+    return crushed(weight, static_cast<float>(settings_.crushThreshold));
+}
+
+ProbeNeighbours IrradianceModel::weighted(const glm::vec3& x, const glm::vec3& n,
+                                          const glm::vec3& to_viewer) const {
+    const ProbeNeighbours trilinear = probe_neighbours(grid_, x);
+    const glm::vec3 biased =
+        x + grid_.spacing * (static_cast<float>(settings_.normalBias) * n +
+                             static_cast<float>(settings_.viewBias) * to_viewer);
+    ProbeNeighbours around = trilinear;
+    float sum = 0.f;
+    for (std::size_t k = 0; k < around.probe.size(); ++k) {
+        if (around.weight[k] == 0.f) continue;
+        around.weight[k] *= weight_of(around.probe[k], x, n, biased);
+        sum += around.weight[k];
+    }
+    // Of denormal weights no digits would be left; a point that sees no probe still needs light.
+    if (sum < std::numeric_limits<float>::min()) return trilinear;
+    for (float& weight : around.weight) weight /= sum;
+    return around;
+}
+
+Spectrum IrradianceModel::irradiance(std::span<const float> values, const ProbeNeighbours& around,
+                                     const glm::vec3& n) const {
+    const TexelBlend blend = texels_.at(n);
+    const auto gamma = static_cast<float>(settings_.perceptualGamma);
+    Spectrum sum(0.f);
+    for (std::size_t k = 0; k < around.probe.size(); ++k) {
+        if (around.weight[k] == 0.f) continue;
+        Spectrum E(0.f);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float* map = &values[value_index(around.probe[k], c, 0, texels_.size())];
+            for (std::size_t t = 0; t < blend.texel.size(); ++t)
+                E[static_cast<int>(c)] += blend.weight[t] * map[blend.texel[t]];
+        }
+        if (gamma != 1.f) E = glm::pow(E, Spectrum(gamma / 2.f));
+        sum += around.weight[k] * E;
+    }
+    return gamma == 1.f ? sum : sum * sum;
+}
+
+Spectrum IrradianceModel::surfel_radiance(std::span<const float> previous,
+                                          std::size_t surfel) const {
+    const Surfels& surfels = cache_->surfels();
+    if (settings_.blackBacks != 0. && distances_.back(surfel)) return Spectrum(0.f);
+    const Spectrum& albedo = surfels.albedo[surfel];
+    if (!surfels.hit(surfel) || albedo == Spectrum(0.f)) return unfed_[surfel];
+    return unfed_[surfel] + static_cast<float>(settings_.energyPreservation) * albedo /
+                                glm::pi<float>() *
+                                irradiance(previous, around_[surfel], surfels.n[surfel]);
+}
+
+template <typename Radiance>
+void IrradianceModel::gather(std::size_t probe, const Radiance& radiance_of,
+                             std::span<float> encoded) const {
+    const std::size_t count = texels_.size();
+    std::vector<float> lobe(count);
+    std::vector<float> weight(count, 0.f);
+    std::ranges::fill(encoded, 0.f);
+    for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i) {
+        const Spectrum L = radiance_of(i);
+        texels_.lobes(cache_->surfels().direction[i], 1, lobe);
+        for (std::size_t t = 0; t < count; ++t) weight[t] += lobe[t];
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t t = 0; t < count; ++t)
+                encoded[c * count + t] += lobe[t] * L[static_cast<int>(c)];
+        }
+    }
+    const auto exponent = static_cast<float>(1. / settings_.perceptualGamma);
+    for (std::size_t i = 0; i < encoded.size(); ++i) {
+        encoded[i] *= glm::pi<float>() / weight[i % count];
+        if (exponent != 1.f) encoded[i] = std::pow(encoded[i], exponent);
+    }
+}
+
+void IrradianceModel::update(std::span<const float> previous, std::span<float> next) const {
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
+        const std::span<float> texels = texels_of(next, probe);
+        gather(
+            probe, [&](std::size_t i) { return surfel_radiance(previous, i); }, texels);
+        if (kept_ == 0.f) return;
+        const float* before = &previous[probe * texels.size()];
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            texels[i] = kept_ * before[i] + (1.f - kept_) * texels[i];
+    });
+}
+
+Spectrum IrradianceModel::probe_light(std::span<const float> values,
+                                      const ReceiverPoint& point) const {
+    const ProbeNeighbours around = weighted(point.position, point.n, point.to_viewer);
+    return point.albedo / glm::pi<float>() * irradiance(values, around, point.n);
+}
+
+Spectrum IrradianceModel::emitted_light(const ReceiverPoint& point) const {
+    return emitted_.empty() ? Spectrum(0.f) : probe_light(emitted_, point);
+}
+
+}  // namespace plumbline::ddgi
