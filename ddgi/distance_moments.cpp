@@ -40,31 +40,33 @@ void DistanceMoments::blend(const ProbeDistances& distances, const Surfels& surf
 
 void DistanceMoments::take_probe(const ProbeDistances& distances, const Surfels& surfels,
                                  float back_shortening, float kept, std::size_t probe) {
-    const std::size_t count = texels_.size();
-    std::vector<float> lobe(count);
-    std::vector<float> weight(count, 0.f);
-    std::vector<float> sum(count, 0.f);
-    std::vector<float> sum_of_squares(count, 0.f);
+    constexpr std::size_t lanes = OctahedralTexels::lanes;
+    using Lanes = OctahedralTexels::Lanes;
     const auto rays = static_cast<std::size_t>(surfels.per_probe);
-    for (std::size_t i = probe * rays; i < (probe + 1) * rays; ++i) {
+    std::vector<float> distance(rays);
+    for (std::size_t r = 0; r < rays; ++r) {
+        const std::size_t i = probe * rays + r;
         const float shortening = distances.back(i) ? back_shortening : 1.f;
-        const float distance =
-            std::min(shortening * distances.distance(i) / grid_.spacing, farthest);
-        const float square = distance * distance;
-        texels_.lobes(surfels.direction[i], sharpness_, lobe);
-        for (std::size_t t = 0; t < count; ++t) {
-            weight[t] += lobe[t];
-            sum[t] += lobe[t] * distance;
-            sum_of_squares[t] += lobe[t] * square;
-        }
+        distance[r] = std::min(shortening * distances.distance(i) / grid_.spacing, farthest);
     }
-    for (std::size_t t = 0; t < count; ++t) {
-        assert(weight[t] > 0.f);  // rays are all around: one is well within a right angle
-        Moments& moments = moments_[probe * count + t];
-        const float mean = sum[t] / weight[t];
-        const float mean_square = sum_of_squares[t] / weight[t];
-        moments.mean = kept * moments.mean + (1.f - kept) * mean;
-        moments.mean_square = kept * moments.mean_square + (1.f - kept) * mean_square;
+    for (std::size_t first = 0; first < texels_.size(); first += lanes) {
+        Lanes weight{}, sum{}, sum_of_squares{};
+        for (std::size_t r = 0; r < rays; ++r) {
+            const glm::vec3& w = surfels.direction[probe * rays + r];
+            const Lanes lobe = texels_.lobes(first, w, sharpness_);
+            for (std::size_t i = 0; i < lanes; ++i) {
+                weight[i] += lobe[i];
+                sum[i] += lobe[i] * distance[r];
+                sum_of_squares[i] += lobe[i] * distance[r] * distance[r];
+            }
+        }
+        for (std::size_t i = 0; i < lanes; ++i) {
+            assert(weight[i] > 0.f);  // rays are all around: one is well within a right angle
+            Moments& moments = moments_[probe * texels_.size() + first + i];
+            moments.mean = kept * moments.mean + (1.f - kept) * sum[i] / weight[i];
+            moments.mean_square =
+                kept * moments.mean_square + (1.f - kept) * sum_of_squares[i] / weight[i];
+        }
     }
 }
 

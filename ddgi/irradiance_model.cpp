@@ -158,64 +158,73 @@ ProbeNeighbours IrradianceModel::weighted(const glm::vec3& x, const glm::vec3& n
     return around;
 }
 
-Spectrum IrradianceModel::irradiance(std::span<const float> values, const ProbeNeighbours& around,
-                                     const glm::vec3& n) const {
+template <typename Texel>
+Spectrum IrradianceModel::irradiance(const ProbeNeighbours& around, const glm::vec3& n,
+                                     const Texel& texel_of) const {
     const TexelBlend blend = texels_.at(n);
     const auto gamma = static_cast<float>(settings_.perceptualGamma);
-    Spectrum sum(0.f);
+    glm::vec4 sum(0.f);
     for (std::size_t k = 0; k < around.probe.size(); ++k) {
         if (around.weight[k] == 0.f) continue;
-        Spectrum E(0.f);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float* map = &values[value_index(around.probe[k], c, 0, texels_.size())];
-            for (std::size_t t = 0; t < blend.texel.size(); ++t)
-                E[static_cast<int>(c)] += blend.weight[t] * map[blend.texel[t]];
-        }
-        if (gamma != 1.f) E = glm::pow(E, Spectrum(gamma / 2.f));
+        glm::vec4 E(0.f);
+        for (std::size_t t = 0; t < blend.texel.size(); ++t)
+            E += blend.weight[t] * texel_of(around.probe[k], blend.texel[t]);
+        if (gamma != 1.f) E = glm::pow(E, glm::vec4(gamma / 2.f));
         sum += around.weight[k] * E;
     }
-    return gamma == 1.f ? sum : sum * sum;
+    return Spectrum(gamma == 1.f ? sum : sum * sum);
 }
 
-Spectrum IrradianceModel::surfel_radiance(std::span<const float> previous,
-                                          std::size_t surfel) const {
+/// The channels of each texel side by side: surfels look them up in no order, and far more often
+/// than an update writes them.
+IrradianceModel::Maps IrradianceModel::maps_of(std::span<const float> values) const {
+    const std::size_t count = texels_.size();
+    Maps maps(values.size() / 3);
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
+        for (std::size_t t = 0; t < count; ++t) maps[probe * count + t] = texel(values, probe, t);
+    });
+    return maps;
+}
+
+glm::vec4 IrradianceModel::texel(std::span<const float> values, std::size_t probe,
+                                 std::size_t t) const {
+    const auto channel = [&](std::size_t c) {
+        return values[value_index(probe, c, t, texels_.size())];
+    };
+    return {channel(0), channel(1), channel(2), 0.f};
+}
+
+Spectrum IrradianceModel::surfel_radiance(const Maps& maps, std::size_t surfel) const {
     const Surfels& surfels = cache_->surfels();
     if (settings_.blackBacks != 0. && distances_.back(surfel)) return Spectrum(0.f);
     const Spectrum& albedo = surfels.albedo[surfel];
     if (!surfels.hit(surfel) || albedo == Spectrum(0.f)) return unfed_[surfel];
-    return unfed_[surfel] + static_cast<float>(settings_.energyPreservation) * albedo /
-                                glm::pi<float>() *
-                                irradiance(previous, around_[surfel], surfels.n[surfel]);
+    const Spectrum E = irradiance(
+        around_[surfel], surfels.n[surfel],
+        [&](std::size_t probe, std::size_t t) { return maps[probe * texels_.size() + t]; });
+    const auto taken_in = static_cast<float>(settings_.energyPreservation);
+    return unfed_[surfel] + taken_in * albedo / glm::pi<float>() * E;
 }
 
 template <typename Radiance>
 void IrradianceModel::gather(std::size_t probe, const Radiance& radiance_of,
                              std::span<float> encoded) const {
-    const std::size_t count = texels_.size();
-    std::vector<float> lobe(count);
-    std::vector<float> weight(count, 0.f);
-    std::ranges::fill(encoded, 0.f);
-    for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i) {
-        const Spectrum L = radiance_of(i);
-        texels_.lobes(cache_->surfels().direction[i], 1, lobe);
-        for (std::size_t t = 0; t < count; ++t) weight[t] += lobe[t];
-        for (std::size_t c = 0; c < 3; ++c) {
-            for (std::size_t t = 0; t < count; ++t)
-                encoded[c * count + t] += lobe[t] * L[static_cast<int>(c)];
-        }
-    }
+    std::vector<RayLight> light;
+    light.reserve(rays());
+    for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i)
+        light.push_back({cache_->surfels().direction[i], radiance_of(i)});
+    texels_.irradiance(light, encoded);
     const auto exponent = static_cast<float>(1. / settings_.perceptualGamma);
-    for (std::size_t i = 0; i < encoded.size(); ++i) {
-        encoded[i] *= glm::pi<float>() / weight[i % count];
-        if (exponent != 1.f) encoded[i] = std::pow(encoded[i], exponent);
-    }
+    if (exponent == 1.f) return;
+    for (float& value : encoded) value = std::pow(value, exponent);
 }
 
 void IrradianceModel::update(std::span<const float> previous, std::span<float> next) const {
+    const Maps maps = maps_of(previous);
     tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
         const std::span<float> texels = texels_of(next, probe);
         gather(
-            probe, [&](std::size_t i) { return surfel_radiance(previous, i); }, texels);
+            probe, [&](std::size_t i) { return surfel_radiance(maps, i); }, texels);
         if (kept_ == 0.f) return;
         const float* before = &previous[probe * texels.size()];
         for (std::size_t i = 0; i < texels.size(); ++i)
@@ -226,7 +235,9 @@ void IrradianceModel::update(std::span<const float> previous, std::span<float> n
 Spectrum IrradianceModel::probe_light(std::span<const float> values,
                                       const ReceiverPoint& point) const {
     const ProbeNeighbours around = weighted(point.position, point.n, point.to_viewer);
-    return point.albedo / glm::pi<float>() * irradiance(values, around, point.n);
+    const Spectrum E = irradiance(
+        around, point.n, [&](std::size_t probe, std::size_t t) { return texel(values, probe, t); });
+    return point.albedo / glm::pi<float>() * E;
 }
 
 Spectrum IrradianceModel::emitted_light(const ReceiverPoint& point) const {

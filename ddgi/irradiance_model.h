@@ -47,10 +47,16 @@ class IrradianceModel final : public ProbeModel {
                              const glm::vec3& to_viewer) const;
     float weight_of(std::size_t probe, const glm::vec3& x, const glm::vec3& n,
                     const glm::vec3& biased) const;
-    /// E(x, n) from the probes, W m^-2.
-    Spectrum irradiance(std::span<const float> values, const ProbeNeighbours& around,
-                        const glm::vec3& n) const;
-    Spectrum surfel_radiance(std::span<const float> previous, std::size_t surfel) const;
+    /// Texels of all probes, (probe * texels + texel).
+    using Maps = std::vector<glm::vec4>;
+
+    Maps maps_of(std::span<const float> values) const;
+    glm::vec4 texel(std::span<const float> values, std::size_t probe, std::size_t t) const;
+    /// E(x, n) from the probes, W m^-2, whose texels are texel_of(probe, texel).
+    template <typename Texel>
+    Spectrum irradiance(const ProbeNeighbours& around, const glm::vec3& n,
+                        const Texel& texel_of) const;
+    Spectrum surfel_radiance(const Maps& maps, std::size_t surfel) const;
     /// The texels of a probe, whose rays bring radiance_of(surfel), into `encoded`.
     template <typename Radiance>
     void gather(std::size_t probe, const Radiance& radiance_of, std::span<float> encoded) const;

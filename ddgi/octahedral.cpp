@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 namespace plumbline::ddgi {
 namespace {
@@ -12,8 +13,6 @@ namespace {
 glm::vec2 folded(const glm::vec2& p) {
     return {std::copysign(1.f - std::abs(p.y), p.x), std::copysign(1.f - std::abs(p.x), p.y)};
 }
-
-constexpr std::size_t lanes = 8;
 
 }  // namespace
 
@@ -67,23 +66,23 @@ TexelBlend OctahedralTexels::at(const glm::vec3& n) const {
             {lower.x * lower.y, upper.x * lower.y, lower.x * upper.y, upper.x * upper.y}};
 }
 
-void OctahedralTexels::lobes(const glm::vec3& w, int power, std::span<float> lobe) const {
-    assert(power >= 1 && lobe.size() == size());
-    // By squaring, texels side by side in vector registers: std::pow would cost more than all else.
+void OctahedralTexels::irradiance(std::span<const RayLight> rays, std::span<float> E) const {
+    assert(E.size() == 3 * size());
     for (std::size_t first = 0; first < size(); first += lanes) {
-        std::array<float, lanes> squared;
-        std::array<float, lanes> result;
-        for (std::size_t i = 0; i < lanes; ++i) {
-            const std::size_t t = first + i;
-            squared[i] = std::max(0.f, w.x * x_[t] + w.y * y_[t] + w.z * z_[t]);
-            result[i] = (power & 1) != 0 ? squared[i] : 1.f;
+        Lanes weight{};
+        std::array<Lanes, 3> sum{};
+        for (const auto& [w, L] : rays) {
+            const Lanes cosine = lobes(first, w, 1);
+            for (std::size_t i = 0; i < lanes; ++i) weight[i] += cosine[i];
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float radiance = L[static_cast<int>(c)];
+                for (std::size_t i = 0; i < lanes; ++i) sum[c][i] += cosine[i] * radiance;
+            }
         }
-        for (int rest = power >> 1; rest > 0; rest >>= 1) {
-            for (float& value : squared) value *= value;
-            if ((rest & 1) == 0) continue;
-            for (std::size_t i = 0; i < lanes; ++i) result[i] *= squared[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t i = 0; i < lanes; ++i)
+                E[c * size() + first + i] = glm::pi<float>() * sum[c][i] / weight[i];
         }
-        std::copy(result.begin(), result.end(), lobe.begin() + std::ptrdiff_t(first));
     }
 }
 
