@@ -133,13 +133,21 @@ void add_model_options(CLI::App& command, Arguments& arguments) {
     ProbeOptions& options = arguments.ddgi.probes;
     add_choice(
         command, "--storage", options.storage, storage_names,
-        "What a probe of conserving keeps: the radiance of all its rays, or the mean of each "
-        "octant: rays, octants (default: rays)");
+        "What a probe of conserving keeps: the radiance of all its rays; its mean over 8 octants "
+        "or 32 or 128 cells of equal solid angle; spherical harmonics of order 2 or 3; or "
+        "irradiances on an octahedral map: rays, octants, equal32, equal128, sh2, sh3, "
+        "octahedral (default: rays)");
     add_choice(
         command, "--weights", options.weights, weights_names,
         "How conserving tempers the trilinear weights of probes: none, backface (those behind "
-        "a surface fade), visibility (those that a point does not see do not count) (default: "
-        "visibility)");
+        "a surface fade), visibility (those that a point does not see do not count), moments (the "
+        "same, bounded by the moments of their distances) (default: visibility)");
+    command.add_option("--normal-bias", options.normal_bias,
+                       "How far off itself along its normal conserving looks a point up, in "
+                       "spacings (default: 0)");
+    command.add_flag("--skip-inside", options.skip_inside,
+                     "Probes of conserving a quarter or more of whose rays meet backs of surfaces "
+                     "do not count: they stand in something");
     add_choice(
         command, "--feedback", options.feedback, feedback_names,
         "What surfels of conserving take the probes' light from: maps of irradiance made once "

@@ -1,40 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ddgi/angular_storage.h"
 #include "ddgi/model.h"
-#include "ddgi/octants.h"
+#include "ddgi/probe_weigher.h"
 
 namespace plumbline::ddgi {
 
-/// Energy-conserving octants. A probe stores, per octant, the mean radiance that arrives through
-/// it; a surface under it gathers sum_d L_d W_d(n) (see octant_cosines).
+/// Energy-conserving probes that keep the light of their rays by direction, in less than all of
+/// it: see AngularStorage.
 ///
 /// A surfel shows a/pi (E_direct + E_probes) + emission, and a ray that meets nothing brings the
-/// environment's radiance. Each update is thus a convex mean times an albedo: a contraction in
-/// the largest value, by the largest albedo of the scene. There is no constant to tune.
+/// environment's radiance. Each update is thus a mean times an albedo: with all storages but
+/// spherical harmonics, whose weights are not all positive, a contraction in the largest value by
+/// the largest albedo of the scene. There is no constant to tune.
 class ConservingModel final : public ProbeModel {
  public:
-    ConservingModel(const ProbeGrid& grid, ProbeWeights weights) : grid_(grid), weights_(weights) {}
+    /// `options.storage` is not Storage::Rays.
+    ConservingModel(const ProbeGrid& grid, const ProbeOptions& options)
+        : grid_(grid),
+          options_(options),
+          weigher_(grid, options),
+          storage_(make_storage(options.storage, grid)) {}
 
-    RayPattern pattern(int surfels) const override { return even_pattern(surfels); }
+    RayPattern pattern(int surfels) const override {
+        return storage_->pattern(surfels, options_.shifted);
+    }
     Reach reach() const override { return Reach::FirstSurface; }
-    ProbeWeights weights() const override { return weights_; }
-    std::size_t bins(int) const override { return octant_count; }
+    ProbeWeights weights() const override { return options_.weights; }
+    std::size_t bins(int) const override { return storage_->bins(); }
+    void take_world(const RayTracer& tracer, const SurfelCache& cache,
+                    const Motion* motion) override {
+        weigher_.take_world(tracer, cache, motion);
+    }
     void take_surfels(const SurfelCache& cache) override;
     void update(std::span<const float> previous, std::span<float> next) const override;
     Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
     Spectrum emitted_light(const ReceiverPoint& point) const override;
 
  private:
-    /// Per probe, channel and octant, the mean of radiance(surfel) over its rays.
+    /// Stores what radiance(surfel) of every probe's rays comes to.
     template <typename Radiance>
-    void average(std::span<float> values, const Radiance& radiance) const;
+    void store(std::span<float> values, const Radiance& radiance) const;
 
     ProbeGrid grid_;
-    ProbeWeights weights_;
+    ProbeOptions options_;
+    ProbeWeigher weigher_;
+    std::unique_ptr<AngularStorage> storage_;
     const SurfelCache* cache_ = nullptr;
-    std::vector<OctantCosines> cosines_;  ///< W_d(n) of each surfel
-    std::vector<Spectrum> unfed_;         ///< radiance each surfel ray brings without any feedback
+    std::vector<Spectrum> unfed_;          ///< radiance each surfel ray brings without any feedback
+    std::vector<ProbeNeighbours> around_;  ///< what each surfel gathers from
     std::vector<float> emitted_;  ///< probe values of emission and environment; empty if none
 };
 

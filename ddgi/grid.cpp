@@ -69,9 +69,13 @@ std::uint32_t cell_probe(const ProbeGrid& grid, const glm::vec3& point) {
 }
 
 ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point) {
-    const glm::vec3 place = place_in(grid, point);
-    const glm::ivec3 base = cell_around(grid, place);
-    const glm::vec3 upper = place - glm::vec3(base);
+    return probe_neighbours(grid, point, point);
+}
+
+ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point,
+                                 const glm::vec3& biased) {
+    const glm::ivec3 base = cell_around(grid, place_in(grid, point));
+    const glm::vec3 upper = glm::clamp(place_in(grid, biased) - glm::vec3(base), 0.f, 1.f);
     const glm::vec3 lower = 1.f - upper;
 
     ProbeNeighbours result;

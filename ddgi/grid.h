@@ -38,4 +38,8 @@ std::uint32_t cell_probe(const ProbeGrid& grid, const glm::vec3& point);
 /// The cell around `point`, which is first clamped into the grid [Dellson 2023, listing 4.1].
 ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point);
 
+/// The same cell, with the weights of `biased`, which is first clamped into that cell.
+ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point,
+                                 const glm::vec3& biased);
+
 }  // namespace plumbline::ddgi

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-#include <limits>
 
 #include "ddgi/look_up.h"
 
@@ -16,7 +15,6 @@ namespace {
 
 constexpr int map_side = 8;           // [Majercik et al. 2019]
 constexpr float wrapped_least = .2f;  // what a probe right behind counts [Majercik et al. 2019]
-constexpr float inside_share = .25f;  // of rays that meet backs [Majercik et al. 2021]
 constexpr float back_distance = .2f;  // what is left of it [Majercik et al. 2021]
 
 /// A still whose rays turn never settles. It is updated until this is left of the error at the
@@ -42,8 +40,7 @@ IrradianceModel::IrradianceModel(const ProbeGrid& grid, const IrradianceSettings
       settings_(settings),
       shifted_(shifted),
       texels_(map_side),
-      moments_(grid, static_cast<int>(settings.depthSharpness)),
-      inside_(probe_count(grid), 0) {}
+      moments_(grid, static_cast<int>(settings.depthSharpness)) {}
 
 RayPattern IrradianceModel::pattern(int surfels) const {
     return sphere_pattern(surfels, shifted_ && !turns_rays());
@@ -66,10 +63,6 @@ float IrradianceModel::back_shortening() const {
 void IrradianceModel::take_world(const RayTracer& tracer, const SurfelCache& cache,
                                  const Motion* motion) {
     distances_.trace(tracer, cache, motion);
-    for (std::size_t probe = 0; probe < inside_.size(); ++probe) {
-        if (!distances_.changed(probe)) continue;
-        inside_[probe] = distances_.back_share(probe) >= inside_share;
-    }
     if (settings_.chebyshev != 0. && !remembers())
         moments_.take(distances_, cache.surfels(), back_shortening());
 }
@@ -124,7 +117,7 @@ void IrradianceModel::weigh(std::size_t surfel) {
 
 float IrradianceModel::weight_of(std::size_t probe, const glm::vec3& x, const glm::vec3& n,
                                  const glm::vec3& biased) const {
-    if (settings_.skipInside != 0. && inside_[probe] != 0) return 0.f;
+    if (settings_.skipInside != 0. && distances_.inside(probe)) return 0.f;
     const glm::vec3 way = probe_position(grid_, static_cast<std::uint32_t>(probe)) - x;
     const float distance = glm::length(way);
     const float cosine = distance > 0.f ? glm::dot(way, n) / distance : 1.f;
@@ -141,21 +134,12 @@ float IrradianceModel::weight_of(std::size_t probe, const glm::vec3& x, const gl
 
 ProbeNeighbours IrradianceModel::weighted(const glm::vec3& x, const glm::vec3& n,
                                           const glm::vec3& to_viewer) const {
-    const ProbeNeighbours trilinear = probe_neighbours(grid_, x);
-    const glm::vec3 biased =
-        x + grid_.spacing * (static_cast<float>(settings_.normalBias) * n +
-                             static_cast<float>(settings_.viewBias) * to_viewer);
-    ProbeNeighbours around = trilinear;
-    float sum = 0.f;
-    for (std::size_t k = 0; k < around.probe.size(); ++k) {
-        if (around.weight[k] == 0.f) continue;
-        around.weight[k] *= weight_of(around.probe[k], x, n, biased);
-        sum += around.weight[k];
-    }
-    // Of denormal weights no digits would be left; a point that sees no probe still needs light.
-    if (sum < std::numeric_limits<float>::min()) return trilinear;
-    for (float& weight : around.weight) weight /= sum;
-    return around;
+    const auto along_normal = static_cast<float>(settings_.normalBias);
+    const auto along_view = static_cast<float>(settings_.viewBias);
+    const glm::vec3 biased = x + grid_.spacing * (along_normal * n + along_view * to_viewer);
+    return tempered(probe_neighbours(grid_, x), [&](std::size_t, std::uint32_t probe) {
+        return weight_of(probe, x, n, biased);
+    });
 }
 
 template <typename Texel>

@@ -70,9 +70,8 @@ class IrradianceModel final : public ProbeModel {
     OctahedralTexels texels_;
     ProbeDistances distances_;
     DistanceMoments moments_;
-    std::vector<std::uint8_t> inside_;  ///< of each probe, whether it stands in something
-    float kept_ = 0.f;                  ///< by a texel at the next update
-    bool updated_ = false;              ///< some update has begun
+    float kept_ = 0.f;      ///< by a texel at the next update
+    bool updated_ = false;  ///< some update has begun
     const SurfelCache* cache_ = nullptr;
     std::vector<Spectrum> unfed_;          ///< radiance a surfel ray brings without feedback
     std::vector<ProbeNeighbours> around_;  ///< what each surfel gathers from

@@ -41,10 +41,8 @@ ModelSetup make_thesis(const Scene& scene, const ProbeGrid& grid,
 }
 
 std::unique_ptr<ProbeModel> make_conserving(const ProbeGrid& grid, const ProbeOptions& options) {
-    if (options.storage == Storage::Octants) {
-        return std::make_unique<ConservingModel>(grid, options.weights);
-    }
-    return std::make_unique<RaysModel>(grid, options);
+    if (options.storage == Storage::Rays) return std::make_unique<RaysModel>(grid, options);
+    return std::make_unique<ConservingModel>(grid, options);
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ namespace {
 /// Well above the relative rounding of distances, well below what moves in a frame.
 constexpr float distance_rounding = 1e-5f;
 
+constexpr float inside_share = .25f;  // [Majercik et al. 2021]
+
 }  // namespace
 
 /// Whether tracing the ray afresh could give another end: something moved away from it, to it, or
@@ -33,19 +35,30 @@ void ProbeDistances::trace(const RayTracer& tracer, const SurfelCache& cache,
     back_.resize(surfels.size());
     object_.resize(surfels.size());
     changed_.resize(surfels.size() / rays_);
+    inside_.resize(changed_.size());
     tbb::parallel_for(std::size_t{0}, changed_.size(), [&](std::size_t probe) {
         const glm::vec3 origin = probe_position(cache.grid(), static_cast<std::uint32_t>(probe));
-        changed_[probe] = 0;
+        bool changed = motion == nullptr;
         for (std::size_t i = probe * rays_; i < (probe + 1) * rays_; ++i) {
             const Ray ray{origin, surfels.direction[i]};
             if (motion != nullptr && !touched(ray, *motion, i)) continue;
-            const std::optional<Hit> hit = tracer.intersect(ray, BackFaces::Hit);
-            distance_[i] = hit ? hit->t : std::numeric_limits<float>::infinity();
-            back_[i] = hit && hit->back;
-            object_[i] = hit ? hit->object : -1;
-            changed_[probe] = 1;
+            if (trace_ray(tracer, ray, i)) changed = true;
         }
+        changed_[probe] = changed;
+        if (changed) inside_[probe] = back_share(probe) >= inside_share;
     });
+}
+
+/// Whether it gave another answer than before.
+bool ProbeDistances::trace_ray(const RayTracer& tracer, const Ray& ray, std::size_t surfel) {
+    const std::optional<Hit> hit = tracer.intersect(ray, BackFaces::Hit);
+    const float distance = hit ? hit->t : std::numeric_limits<float>::infinity();
+    const std::uint8_t back = hit && hit->back;
+    object_[surfel] = hit ? hit->object : -1;
+    const bool other = distance_[surfel] != distance || back_[surfel] != back;
+    distance_[surfel] = distance;
+    back_[surfel] = back;
+    return other;
 }
 
 float ProbeDistances::back_share(std::size_t probe) const {

@@ -19,12 +19,16 @@ class ProbeDistances {
     float distance(std::size_t surfel) const { return distance_[surfel]; }
     /// Whether that surface shows its back.
     bool back(std::size_t surfel) const { return back_[surfel] != 0; }
-    /// Whether the last call may have changed a distance of the probe.
+    /// Whether the last call changed anything of the probe.
     bool changed(std::size_t probe) const { return changed_[probe] != 0; }
     /// The share of the probe's rays that meet a back first.
     float back_share(std::size_t probe) const;
+    /// Whether the probe stands in something: a quarter or more of its rays meet backs
+    /// [Majercik et al. 2021].
+    bool inside(std::size_t probe) const { return inside_[probe] != 0; }
 
  private:
+    bool trace_ray(const RayTracer& tracer, const Ray& ray, std::size_t surfel);
     bool touched(const Ray& ray, const Motion& motion, std::size_t surfel) const;
 
     std::size_t rays_ = 0;
@@ -32,6 +36,7 @@ class ProbeDistances {
     std::vector<std::uint8_t> back_;
     std::vector<int> object_;  ///< that was met; -1 for none
     std::vector<std::uint8_t> changed_;
+    std::vector<std::uint8_t> inside_;
 };
 
 }  // namespace plumbline::ddgi

@@ -10,8 +10,13 @@ namespace plumbline::ddgi {
 
 /// What a probe of the model conserving keeps of the light that its rays bring.
 enum class Storage {
-    Rays,     ///< every ray's radiance
-    Octants,  ///< the mean radiance of each octant
+    Rays,        ///< every ray's radiance
+    Octants,     ///< the mean radiance of each octant
+    Equal32,     ///< the mean radiance of 32 cells of equal solid angle
+    Equal128,    ///< the same of 128
+    Sh2,         ///< spherical harmonics of radiance, of order 2
+    Sh3,         ///< the same of order 3
+    Octahedral,  ///< irradiance on 64 directions of an octahedral map
 };
 
 /// What surfels gather the probes' light from. Storage::Rays only.
@@ -24,11 +29,17 @@ enum class Feedback {
 inline const std::map<std::string, Feedback> feedback_names = {{"maps", Feedback::Maps},
                                                                {"rays", Feedback::Rays}};
 inline const std::map<std::string, Storage> storage_names = {{"rays", Storage::Rays},
-                                                             {"octants", Storage::Octants}};
+                                                             {"octants", Storage::Octants},
+                                                             {"equal32", Storage::Equal32},
+                                                             {"equal128", Storage::Equal128},
+                                                             {"sh2", Storage::Sh2},
+                                                             {"sh3", Storage::Sh3},
+                                                             {"octahedral", Storage::Octahedral}};
 inline const std::map<std::string, ProbeWeights> weights_names = {
     {"none", ProbeWeights::None},
     {"backface", ProbeWeights::Backface},
-    {"visibility", ProbeWeights::Visibility}};
+    {"visibility", ProbeWeights::Visibility},
+    {"moments", ProbeWeights::Moments}};
 
 /// The choices of the model conserving; the defaults are the best measured. The other models have
 /// no such choices.
@@ -41,6 +52,11 @@ struct ProbeOptions {
     /// Pixels see a ray's end from where they are, not from where the probe is. Storage::Rays only.
     bool parallax = true;
     Feedback feedback = Feedback::Maps;
+    /// A point takes the trilinear weights, and with ProbeWeights::Moments the visibility, of one
+    /// so far off it along its normal; in spacings.
+    float normal_bias = 0.f;
+    /// Probes that stand in something do not count, see ProbeDistances::inside().
+    bool skip_inside = false;
     bool operator==(const ProbeOptions&) const = default;
 };
 

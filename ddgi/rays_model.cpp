@@ -40,7 +40,8 @@ void RaysModel::take_surfels(const SurfelCache& cache) {
         bool moved = afresh;
         for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i) {
             moved = moved || cache.replaced(i);
-            if (afresh || cache.changed(i)) take_surfel(i);
+            if (afresh || cache.changed(i) || weigher_.changed_at(surfels.position[i]))
+                take_surfel(i);
         }
         if (!moved) return;
         const std::span<const float> emitted(&emitted_[probe * 3 * rays()], 3 * rays());
@@ -59,8 +60,7 @@ void RaysModel::take_surfel(std::size_t surfel) {
     if (!surfels.hit(surfel)) return;
     unfed_[surfel] += surfels.albedo[surfel] / glm::pi<float>() * surfels.direct[surfel];
     const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[surfel];
-    around_[surfel] =
-        weighted_probes(grid_, surfels.position[surfel], surfels.n[surfel], options_.weights, seen);
+    around_[surfel] = weigher_.weighted(surfels.position[surfel], surfels.n[surfel], seen);
 }
 
 RaysModel::Maps RaysModel::irradiance_maps(std::span<const float> values) const {
@@ -137,8 +137,7 @@ void RaysModel::update(std::span<const float> previous, std::span<float> next) c
 }
 
 Spectrum RaysModel::probe_light(std::span<const float> values, const ReceiverPoint& point) const {
-    const ProbeNeighbours around =
-        weighted_probes(grid_, point.position, point.n, options_.weights, point.seen);
+    const ProbeNeighbours around = weigher_.weighted(point.position, point.n, point.seen);
     return point.albedo / glm::pi<float>() *
            ray_irradiance(values, around, point.position, point.n);
 }

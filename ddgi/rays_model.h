@@ -3,6 +3,7 @@
 
 #include "ddgi/irradiance_map.h"
 #include "ddgi/model.h"
+#include "ddgi/probe_weigher.h"
 #include "ddgi/ray_gather.h"
 
 namespace plumbline::ddgi {
@@ -19,7 +20,7 @@ namespace plumbline::ddgi {
 class RaysModel final : public ProbeModel {
  public:
     RaysModel(const ProbeGrid& grid, const ProbeOptions& options)
-        : grid_(grid), options_(options) {}
+        : grid_(grid), options_(options), weigher_(grid, options) {}
 
     RayPattern pattern(int surfels) const override {
         return sphere_pattern(surfels, options_.shifted);
@@ -27,6 +28,10 @@ class RaysModel final : public ProbeModel {
     Reach reach() const override { return Reach::FirstSurface; }
     ProbeWeights weights() const override { return options_.weights; }
     std::size_t bins(int surfels) const override { return static_cast<std::size_t>(surfels); }
+    void take_world(const RayTracer& tracer, const SurfelCache& cache,
+                    const Motion* motion) override {
+        weigher_.take_world(tracer, cache, motion);
+    }
     void take_surfels(const SurfelCache& cache) override;
     void update(std::span<const float> previous, std::span<float> next) const override;
     Spectrum probe_light(std::span<const float> values, const ReceiverPoint& point) const override;
@@ -48,6 +53,7 @@ class RaysModel final : public ProbeModel {
 
     ProbeGrid grid_;
     ProbeOptions options_;
+    ProbeWeigher weigher_;
     const SurfelCache* cache_ = nullptr;
     std::optional<RayEnds> ends_;
     std::vector<Spectrum> unfed_;          ///< radiance a surfel ray brings without feedback

@@ -15,6 +15,8 @@
 namespace plumbline::ddgi {
 namespace {
 
+constexpr float most_normal_bias = 1.f;  // a cell away no weight means anything
+
 void check(const DdgiOptions& options) {
     if (options.shadow_rays < 1) {
         throw UsageError("--shadow-rays", fmt::format("{} rays", options.shadow_rays),
@@ -24,6 +26,10 @@ void check(const DdgiOptions& options) {
         *options.edge_samples != samples_on_edges) {
         throw UsageError("--edge-samples", fmt::format("{} samples", *options.edge_samples),
                          fmt::format("give {} or {}", samples_per_pixel, samples_on_edges));
+    }
+    if (!(std::abs(options.probes.normal_bias) <= most_normal_bias)) {
+        throw UsageError("--normal-bias", fmt::format("{} spacings", options.probes.normal_bias),
+                         fmt::format("give a number from -{0} to {0}", most_normal_bias));
     }
     if (options.updates && *options.updates < 0) {
         throw UsageError("--updates", fmt::format("{} updates", *options.updates),

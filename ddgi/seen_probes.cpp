@@ -50,24 +50,18 @@ Bounds bounds_to_probes(const ProbeGrid& grid, const glm::vec3& x) {
     return bounds.grown(in_surface * grid.spacing);
 }
 
-ProbeNeighbours weighted_probes(const ProbeGrid& grid, const glm::vec3& x, const glm::vec3& n,
-                                ProbeWeights weights, std::uint8_t seen) {
-    const ProbeNeighbours trilinear = probe_neighbours(grid, x);
-    if (weights == ProbeWeights::None) return trilinear;
-    ProbeNeighbours around = trilinear;
-    float sum = 0.f;
-    for (std::size_t k = 0; k < around.probe.size(); ++k) {
-        if (weights == ProbeWeights::Visibility) {
-            if ((seen >> k & 1) == 0) around.weight[k] = 0.f;
-        } else {
-            const glm::vec3 way = probe_position(grid, around.probe[k]) - x;
-            around.weight[k] *= backface_weight(cosine_to(way, n));
-        }
-        sum += around.weight[k];
+float probe_weight(ProbeWeights weights, const glm::vec3& way, const glm::vec3& n, bool seen) {
+    switch (weights) {
+        case ProbeWeights::Backface:
+            return backface_weight(cosine_to(way, n));
+        case ProbeWeights::Visibility:
+            return seen ? 1.f : 0.f;
+        case ProbeWeights::Moments:
+            return cosine_to(way, n) > 0.f ? 1.f : 0.f;
+        case ProbeWeights::None:
+            break;
     }
-    if (sum == 0.f) return trilinear;
-    for (float& weight : around.weight) weight /= sum;
-    return around;
+    return 1.f;
 }
 
 }  // namespace plumbline::ddgi

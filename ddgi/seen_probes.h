@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "ddgi/grid.h"
 #include "scenes/ray_tracer.h"
@@ -13,6 +14,7 @@ enum class ProbeWeights {
     None,      ///< trilinear alone
     Backface,  ///< probes behind the surface fade out smoothly [Majercik et al. 2019, section 5.2]
     Visibility,  ///< probes behind the surface, or behind another, do not count: exact, by rays
+    Moments,     ///< the same without rays, by what is known of distances: see DistanceMoments
 };
 
 /// All probes around a point, for weights that do not ask which are seen.
@@ -28,11 +30,24 @@ std::uint8_t seen_probes(const RayTracer& tracer, const ProbeGrid& grid, const g
 /// can change the answer.
 Bounds bounds_to_probes(const ProbeGrid& grid, const glm::vec3& x);
 
-/// The probes around `x` with their weights, which sum to one.
-///
-/// Where no probe is left the trilinear weights stand: a point that sees no probe still needs
-/// some light.
-ProbeNeighbours weighted_probes(const ProbeGrid& grid, const glm::vec3& x, const glm::vec3& n,
-                                ProbeWeights weights, std::uint8_t seen);
+/// What a probe counts beside its trilinear weight for a surface with unit normal `n`, which is
+/// `way` from it; `seen` tells whether it is seen.
+float probe_weight(ProbeWeights weights, const glm::vec3& way, const glm::vec3& n, bool seen);
+
+/// Each weight of `trilinear` times weight_of(k, probe), made to sum to one; `trilinear` itself if
+/// none is left: a point that sees no probe still needs some light.
+template <typename Weight>
+ProbeNeighbours tempered(const ProbeNeighbours& trilinear, const Weight& weight_of) {
+    ProbeNeighbours around = trilinear;
+    float sum = 0.f;
+    for (std::size_t k = 0; k < around.probe.size(); ++k) {
+        if (around.weight[k] != 0.f) around.weight[k] *= weight_of(k, around.probe[k]);
+        sum += around.weight[k];
+    }
+    // Of denormal weights no digits would be left.
+    if (sum < std::numeric_limits<float>::min()) return trilinear;
+    for (float& weight : around.weight) weight /= sum;
+    return around;
+}
 
 }  // namespace plumbline::ddgi

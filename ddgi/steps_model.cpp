@@ -18,12 +18,14 @@ struct NamedStep {
     bool Steps::*member;
 };
 
-constexpr std::array<NamedStep, 6> named_steps = {{{"receiverAlbedo", &Steps::receiverAlbedo},
+constexpr std::array<NamedStep, 8> named_steps = {{{"receiverAlbedo", &Steps::receiverAlbedo},
                                                    {"solidAngle", &Steps::solidAngle},
                                                    {"octantLookUp", &Steps::octantLookUp},
                                                    {"evenRays", &Steps::evenRays},
                                                    {"firstSurface", &Steps::firstSurface},
-                                                   {"multiBounce", &Steps::multiBounce}}};
+                                                   {"multiBounce", &Steps::multiBounce},
+                                                   {"diagonalNeighbour", &Steps::diagonalNeighbour},
+                                                   {"gridAtEnd", &Steps::gridAtEnd}}};
 
 void take_step(Steps& steps, const std::string& name, double value) {
     std::vector<std::string> names;
@@ -37,6 +39,13 @@ void take_step(Steps& steps, const std::string& name, double value) {
     }
     throw UsageError("--set " + name, fmt::format("the model steps has {}", fmt::join(names, ", ")),
                      did_you_mean(name, names));
+}
+
+/// Whether a place in cells lies in the grid; a ray that ends on its border may be off by rounding.
+bool within(const ProbeGrid& grid, const glm::vec3& place) {
+    constexpr float rounding = 1e-4f;
+    return glm::all(glm::greaterThanEqual(place, glm::vec3(-rounding))) &&
+           glm::all(glm::lessThanEqual(place, glm::vec3(grid.counts - 1) + rounding));
 }
 
 /// Of its octant, what each ray stands for. Rings even in polar angle stand for solid angles that
@@ -113,29 +122,51 @@ float StepsModel::ray_weight(std::size_t surfel) const {
     return cosine / glm::max(distance * distance, 1.f) / static_cast<float>(pattern.per_octant());
 }
 
+Spectrum StepsModel::missed_radiance(std::span<const float> previous, std::uint32_t probe,
+                                     std::size_t d, const glm::vec3& direction) const {
+    const auto held = [&](std::uint32_t by) {
+        const auto channel = [&](std::size_t c) {
+            return previous[value_index(by, c, d, octant_count)];
+        };
+        return Spectrum(channel(0), channel(1), channel(2));
+    };
+    if (steps_.firstSurface) return Spectrum(0.f);
+    const glm::ivec3 cell = probe_cell(grid_, probe);
+    if (steps_.gridAtEnd) {
+        const glm::vec3 end = glm::vec3(cell) + direction / max_component(glm::abs(direction));
+        if (!within(grid_, end)) return Spectrum(0.f);
+        const ProbeNeighbours around = probe_neighbours(grid_, grid_.origin + grid_.spacing * end);
+        Spectrum sum(0.f);
+        for (std::size_t k = 0; k < around.probe.size(); ++k)
+            sum += around.weight[k] * held(around.probe[k]);
+        return sum;
+    }
+    if (steps_.diagonalNeighbour) {
+        const glm::ivec3 neighbour = cell + principal_directions[d];
+        return within(grid_, glm::vec3(neighbour)) ? held(probe_index(grid_, neighbour))
+                                                   : Spectrum(0.f);
+    }
+    return thesis_propagation(constants_.falloffRegulator, grid_.spacing) *
+           held(thesis_neighbour(grid_, probe, d));
+}
+
 void StepsModel::update(std::span<const float> previous, std::span<float> next) const {
-    const std::size_t per_octant = cache_->pattern().per_octant();
-    const float passed = thesis_propagation(constants_.falloffRegulator, grid_.spacing);
+    const RayPattern& pattern = cache_->pattern();
+    const std::size_t per_octant = pattern.per_octant();
     const auto update_octant = [&](std::uint32_t probe, std::size_t d) {
-        Spectrum lit(0.f);
-        float missed = 0.f;
+        Spectrum sum(0.f);
         for (std::size_t ray = d * per_octant; ray < (d + 1) * per_octant; ++ray) {
             const std::size_t surfel = probe * octant_count * per_octant + ray;
             if (cache_->surfels().hit(surfel)) {
-                lit += ray_weight(surfel) * surfel_radiance(previous, surfel);
-            } else {
-                missed +=
-                    steps_.solidAngle ? ray_shares_[ray] : 1.f / static_cast<float>(per_octant);
+                sum += ray_weight(surfel) * surfel_radiance(previous, surfel);
+                continue;
             }
+            const float share =
+                steps_.solidAngle ? ray_shares_[ray] : 1.f / static_cast<float>(per_octant);
+            sum += share * missed_radiance(previous, probe, d, pattern.directions[ray]);
         }
-        if (steps_.firstSurface) missed = 0.f;
-        const std::uint32_t neighbour =
-            steps_.firstSurface ? probe : thesis_neighbour(grid_, probe, d);
-        for (std::size_t c = 0; c < 3; ++c) {
-            next[value_index(probe, c, d, octant_count)] =
-                lit[static_cast<int>(c)] +
-                missed * passed * previous[value_index(neighbour, c, d, octant_count)];
-        }
+        for (std::size_t c = 0; c < 3; ++c)
+            next[value_index(probe, c, d, octant_count)] = sum[static_cast<int>(c)];
     };
     tbb::parallel_for(std::uint32_t{0}, probe_count(grid_), [&](std::uint32_t probe) {
         for (std::size_t d = 0; d < octant_count; ++d) update_octant(probe, d);

@@ -7,7 +7,8 @@
 namespace plumbline::ddgi {
 
 /// The steps that lead from [Dellson 2023] to energy-conserving octants, each of which can be taken
-/// alone. With none of them the model is `thesis`; with all it is octants that conserve energy.
+/// alone, and other ways to pass light on from probe to probe. With none of them the model is
+/// `thesis`; with all it is octants that conserve energy.
 struct Steps {
     /// A pixel multiplies probe light by its own albedo.
     bool receiverAlbedo = false;
@@ -23,6 +24,12 @@ struct Steps {
     /// Surfels take in last frame's probe light; without octantLookUp by the scene's own
     /// multiBounceIntensity.
     bool multiBounce = false;
+    /// A ray that meets nothing within a cell brings all that the neighbour on the diagonal holds
+    /// of its octant, not a share by falloffRegulator; beyond the grid it is dark.
+    bool diagonalNeighbour = false;
+    /// Such a ray brings what the grid holds of its octant where it ends, between the probes there;
+    /// beyond the grid it is dark. Takes precedence.
+    bool gridAtEnd = false;
 };
 
 /// Probes with some of the steps taken.
@@ -47,6 +54,9 @@ class StepsModel final : public ProbeModel {
                         const glm::vec3& n) const;
     Spectrum surfel_radiance(std::span<const float> previous, std::size_t surfel) const;
     float ray_weight(std::size_t surfel) const;
+    /// What a ray of octant `d` brings that met nothing within its reach.
+    Spectrum missed_radiance(std::span<const float> previous, std::uint32_t probe, std::size_t d,
+                             const glm::vec3& direction) const;
 
     Steps steps_;
     ThesisConstants constants_;

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 
+#include "scenes/errors.h"
+#include "scenes/nearest_name.h"
+
 namespace plumbline::reports {
 
 namespace {
@@ -43,6 +46,9 @@ std::string choices_text(const ddgi::DdgiOptions& options) {
         text += " --feedback " + name_of(ddgi::feedback_names, chosen.feedback);
     if (!chosen.shifted) text += " --no-shift";
     if (!chosen.parallax) text += " --no-parallax";
+    if (chosen.normal_bias != usual.normal_bias)
+        text += fmt::format(" --normal-bias {}", chosen.normal_bias);
+    if (chosen.skip_inside) text += " --skip-inside";
     if (options.edge_samples) text += fmt::format(" --edge-samples {}", *options.edge_samples);
     return text;
 }
@@ -85,6 +91,23 @@ void add_single_steps(std::vector<AblationCase>& cases) {
     }
 }
 
+/// All other steps taken, what a ray brings that meets nothing within a cell.
+void add_propagation(std::vector<AblationCase>& cases) {
+    const std::string group = "Where rays of one cell look that meet nothing";
+    ddgi::DdgiOptions options = with_model("steps");
+    for (const Step& step : steps)
+        if (std::string(step.constant) != "firstSurface") options.set[step.constant] = 1;
+    cases.push_back(
+        make_case(group, "pass-thesis", "a share of the neighbour, inward at borders", options));
+    const auto add = [&](const char* constant, const char* name, const char* title) {
+        ddgi::DdgiOptions other = options;
+        other.set[constant] = 1;
+        cases.push_back(make_case(group, name, title, other));
+    };
+    add("diagonalNeighbour", "pass-diagonal", "the neighbour on the diagonal, whole");
+    add("gridAtEnd", "pass-grid", "the grid where the ray ends");
+}
+
 void add_surfels(std::vector<AblationCase>& cases) {
     for (const int surfels : {64, 128, 256}) {
         ddgi::DdgiOptions options = with_model("conserving");
@@ -101,13 +124,28 @@ struct Choice {
     void (*make)(ddgi::DdgiOptions& options);
 };
 
-constexpr std::array<Choice, 7> choices{
-    {{"octants", "means of octants in place of all rays",
-      [](ddgi::DdgiOptions& options) { options.probes.storage = ddgi::Storage::Octants; }},
+template <ddgi::Storage storage>
+void keep_as(ddgi::DdgiOptions& options) {
+    options.probes.storage = storage;
+}
+
+constexpr std::array<Choice, 15> choices{
+    {{"octants", "means of octants in place of all rays", keep_as<ddgi::Storage::Octants>},
+     {"equal32", "means of 32 equal solid angles", keep_as<ddgi::Storage::Equal32>},
+     {"equal128", "means of 128 equal solid angles", keep_as<ddgi::Storage::Equal128>},
+     {"sh2", "spherical harmonics of order 2", keep_as<ddgi::Storage::Sh2>},
+     {"sh3", "spherical harmonics of order 3", keep_as<ddgi::Storage::Sh3>},
+     {"octahedral", "octahedral maps of irradiance", keep_as<ddgi::Storage::Octahedral>},
      {"weights-none", "trilinear weights alone",
       [](ddgi::DdgiOptions& options) { options.probes.weights = ddgi::ProbeWeights::None; }},
      {"weights-backface", "probes behind the surface fade, unseen ones count",
       [](ddgi::DdgiOptions& options) { options.probes.weights = ddgi::ProbeWeights::Backface; }},
+     {"weights-moments", "visibility by moments of distance",
+      [](ddgi::DdgiOptions& options) { options.probes.weights = ddgi::ProbeWeights::Moments; }},
+     {"normal-bias", "biased a tenth of a spacing along the normal",
+      [](ddgi::DdgiOptions& options) { options.probes.normal_bias = .1f; }},
+     {"skip-inside", "probes in something skipped",
+      [](ddgi::DdgiOptions& options) { options.probes.skip_inside = true; }},
      {"no-parallax", "no parallax",
       [](ddgi::DdgiOptions& options) { options.probes.parallax = false; }},
      {"no-shift", "the same rays at every probe",
@@ -172,9 +210,25 @@ std::vector<AblationCase> ablation_cases() {
     std::vector<AblationCase> cases;
     add_road(cases);
     add_single_steps(cases);
+    add_propagation(cases);
     add_surfels(cases);
     add_choices(cases);
     add_irradiance(cases);
+    return cases;
+}
+
+std::vector<AblationCase> ablation_cases(const std::vector<std::string>& names) {
+    std::vector<AblationCase> cases = ablation_cases();
+    std::vector<std::string> known;
+    for (const AblationCase& one : cases) known.push_back(one.name);
+    for (const std::string& name : names) {
+        if (std::ranges::find(known, name) != known.end()) continue;
+        throw UsageError("--only", fmt::format("there is no case '{}'", name),
+                         did_you_mean(name, known));
+    }
+    std::erase_if(cases, [&](const AblationCase& one) {
+        return std::ranges::find(names, one.name) == names.end();
+    });
     return cases;
 }
 
@@ -187,15 +241,23 @@ std::vector<AblationCase> leak_cases() {
     irradiance.set = published_at_rest;
     cases.push_back(
         make_case(group, "irradiance-published", "irradiance as published", irradiance));
+    const auto add = [&](ddgi::Storage storage, ddgi::ProbeWeights weights) {
+        ddgi::DdgiOptions options = with_model("conserving");
+        options.probes.storage = storage;
+        options.probes.weights = weights;
+        const std::string& keeps = name_of(ddgi::storage_names, storage);
+        const std::string& counts = name_of(ddgi::weights_names, weights);
+        cases.push_back(make_case(group, fmt::format("{}-{}", keeps, counts),
+                                  fmt::format("conserving, {}, weights: {}", keeps, counts),
+                                  options));
+    };
     for (const auto& [storage_name, storage] : ddgi::storage_names) {
-        for (const auto& [weights_name, weights] : ddgi::weights_names) {
-            ddgi::DdgiOptions options = with_model("conserving");
-            options.probes.storage = storage;
-            options.probes.weights = weights;
-            cases.push_back(make_case(
-                group, fmt::format("{}-{}", storage_name, weights_name),
-                fmt::format("conserving, {}, weights: {}", storage_name, weights_name), options));
+        // How light is kept by direction hardly matters for what passes a wall.
+        if (storage != ddgi::Storage::Rays && storage != ddgi::Storage::Octants) {
+            add(storage, ddgi::ProbeOptions{}.weights);
+            continue;
         }
+        for (const auto& [weights_name, weights] : ddgi::weights_names) add(storage, weights);
     }
     return cases;
 }

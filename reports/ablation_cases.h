@@ -21,6 +21,10 @@ struct AblationCase {
 /// alone, each choice of the default model changed alone, and the peer with each of its biases.
 std::vector<AblationCase> ablation_cases();
 
+/// Those of them that `names` name, in the order of the table. Throws UsageError for a name that is
+/// not there.
+std::vector<AblationCase> ablation_cases(const std::vector<std::string>& names);
+
 /// Every model and every way to weight its probes: those that may leak light in unlike ways.
 std::vector<AblationCase> leak_cases();
 

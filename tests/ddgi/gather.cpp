@@ -5,6 +5,7 @@
 
 #include "ddgi/irradiance_map.h"
 #include "ddgi/patterns.h"
+#include "ddgi/probe_weigher.h"
 #include "ddgi/ray_gather.h"
 #include "ddgi/seen_probes.h"
 #include "tests/ddgi/small_scenes.h"
@@ -166,12 +167,13 @@ TEST_CASE("a point sees the probes in front of it that nothing hides", "[ddgi]")
         CHECK(((seen >> k & 1) != 0) == (inside && !tracer.occluded(x, probe)));
     }
     CHECK(seen != 0);
-    const ProbeNeighbours weighted = weighted_probes(grid, x, up, ProbeWeights::Visibility, seen);
+    const ProbeWeigher weigher(grid, {.weights = ProbeWeights::Visibility});
+    const ProbeNeighbours weighted = weigher.weighted(x, up, seen);
     float sum = 0.f;
     for (std::size_t k = 0; k < 8; ++k) {
         sum += weighted.weight[k];
         if ((seen >> k & 1) == 0) CHECK(weighted.weight[k] == 0.f);
     }
     CHECK(sum == Approx(1.f));
-    CHECK(weighted_probes(grid, x, up, ProbeWeights::Visibility, 0).weight == around.weight);
+    CHECK(weigher.weighted(x, up, 0).weight == around.weight);
 }

@@ -105,10 +105,12 @@ Scene room_with_moving_block() {
 std::vector<ProbeOptions> all_probe_options() {
     std::vector<ProbeOptions> all;
     for (const auto& [storage_name, storage] : storage_names) {
-        for (const auto& [weights_name, weights] : weights_names) {
-            all.push_back({storage, weights});
-        }
+        if (storage != Storage::Rays) all.push_back({storage});
     }
+    for (const Storage storage : {Storage::Rays, Storage::Octants}) {
+        for (const auto& [weights_name, weights] : weights_names) all.push_back({storage, weights});
+    }
+    all.push_back({.weights = ProbeWeights::Moments, .normal_bias = .1f, .skip_inside = true});
     all.push_back({.shifted = false});
     all.push_back({.parallax = false});
     all.push_back({.feedback = Feedback::Rays});

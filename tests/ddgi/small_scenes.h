@@ -18,7 +18,7 @@ Scene integrating_sphere(float albedo, const glm::vec3& light);
 /// in frames 2 to 6 of 10. The thesis's constants are set.
 Scene room_with_moving_block();
 
-/// Each storage with each kind of weights, and the default's choices left out one by one.
+/// Each storage, each kind of weights, and the default's choices left out one by one.
 std::vector<ProbeOptions> all_probe_options();
 
 /// The mean of a layer over all pixels and channels.

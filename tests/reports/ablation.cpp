@@ -33,6 +33,10 @@ TEST_CASE("the ablation's cases have names of their own, and options that make t
         CHECK(subject.options.starts_with("--model "));
     }
     CHECK(names.size() >= 16);
+    const auto some = ablation_cases({"sh3", "thesis"});
+    REQUIRE(some.size() == 2);
+    CHECK(some[0].name == "thesis");
+    CHECK_THROWS_WITH(ablation_cases({"sh33"}), Catch::Contains("sh3"));
 }
 
 TEST_CASE("an ablation splits each case's error and finds the gain it lacks",
