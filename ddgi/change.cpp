@@ -1,63 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddgi/change.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace plumbline::ddgi {
 namespace {
 
 constexpr float darkest_of_brightest = 1e-6f;
 
-float largest_magnitude(std::span<const float> values) {
-    float largest = 0.f;
-    for (const float value : values) {
-        // std::max would drop a NaN or keep it, depending on its place.
-        if (!std::isfinite(value)) return std::numeric_limits<float>::infinity();
-        largest = std::max(largest, std::abs(value));
+/// The largest magnitude of value_of(i), i < count; a NaN if one is NaN. Bits of magnitudes are
+/// ordered as they are, infinities and then NaNs last, and unlike floats can be compared side by
+/// side.
+template <typename ValueOf>
+float largest_magnitude(std::size_t count, const ValueOf& value_of) {
+    std::int32_t largest = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        largest = std::max(largest, std::bit_cast<std::int32_t>(value_of(i)) & 0x7fffffff);
     }
-    return largest;
+    return std::bit_cast<float>(largest);
 }
 
-double relative_change(std::span<const float> previous, std::span<const float> next,
-                       float darkest) {
+/// Of a probe: the largest values of its state, and of how much it changed.
+struct Largest {
+    float value = 0.f;
     float change = 0.f;
-    for (std::size_t i = 0; i < next.size(); ++i) {
-        change = std::max(change, std::abs(next[i] - previous[i]));
-    }
-    const float scale = std::max(largest_magnitude(next), darkest);
-    return change == 0.f ? 0. : double(change) / double(scale);
-}
+};
 
 }  // namespace
 
 Change change_between(std::span<const float> previous, std::span<const float> next,
                       std::size_t per_probe) {
-    using Range = tbb::blocked_range<std::size_t>;
-    const auto larger = [](auto a, auto b) { return std::max(a, b); };
-    const Range probes(0, next.size() / per_probe);
-    const auto largest_of = [&](auto identity, const auto& value_of) {
-        return tbb::parallel_reduce(
-            probes, identity,
-            [&](const Range& range, auto largest) {
-                for (std::size_t probe = range.begin(); probe < range.end(); ++probe) {
-                    largest = std::max(largest, value_of(probe * per_probe));
-                }
-                return largest;
-            },
-            larger);
-    };
-    const float brightest = largest_of(
-        0.f, [&](std::size_t first) { return largest_magnitude(next.subspan(first, per_probe)); });
-    if (!std::isfinite(brightest)) return {std::numeric_limits<double>::infinity(), false};
-    const double relative = largest_of(0., [&](std::size_t first) {
-        return relative_change(previous.subspan(first, per_probe), next.subspan(first, per_probe),
-                               brightest * darkest_of_brightest);
+    std::vector<Largest> largest(next.size() / per_probe);
+    tbb::parallel_for(std::size_t{0}, largest.size(), [&](std::size_t probe) {
+        const float* was = &previous[probe * per_probe];
+        const float* is = &next[probe * per_probe];
+        largest[probe] = {
+            largest_magnitude(per_probe, [&](std::size_t i) { return is[i]; }),
+            largest_magnitude(per_probe, [&](std::size_t i) { return is[i] - was[i]; })};
     });
+    float brightest = 0.f;
+    for (const Largest& probe : largest) {
+        if (!std::isfinite(probe.value) || !std::isfinite(probe.change)) {
+            return {std::numeric_limits<double>::infinity(), false};
+        }
+        brightest = std::max(brightest, probe.value);
+    }
+    double relative = 0.;
+    for (const Largest& probe : largest) {
+        if (probe.change == 0.f) continue;
+        const float scale = std::max(probe.value, brightest * darkest_of_brightest);
+        relative = std::max(relative, double(probe.change) / double(scale));
+    }
     return {relative, relative == 0.};
 }
 

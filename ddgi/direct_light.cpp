@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddgi/direct_light.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <optional>
+#include <vector>
+
+#include "ddgi/occlusion.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -64,54 +69,102 @@ DirectLight from_ball(const RayTracer& tracer, const PointLight& light, const gl
     return result;
 }
 
-/// Of a point or a spot: seen whole or not at all, so that all its rays are the same.
-DirectLight from_point(const RayTracer& tracer, const PointLight& light, const glm::vec3& position,
-                       const glm::vec3& n, int rays) {
+/// What a light brings to a point if nothing stands on the way.
+struct LightWay {
+    glm::vec3 end;
+    Spectrum irradiance;
+};
+
+/// None if no light could come.
+std::optional<LightWay> way_to(const PointLight& light, const glm::vec3& position,
+                               const glm::vec3& n) {
     const glm::vec3 way = light.position - position;
     const float height = glm::dot(n, way);
-    DirectLight result;
-    if (height <= 0.f) return result;
+    if (height <= 0.f) return std::nullopt;
     const Spectrum E = normal_irradiance(light, way);
-    if (light.cone && E == Spectrum(0.f)) return result;
+    if (light.cone && E == Spectrum(0.f)) return std::nullopt;
+    return LightWay{light.position, height / glm::length(way) * E};
+}
+
+std::optional<LightWay> way_to(const DirectionalLight& light, float reach,
+                               const glm::vec3& position, const glm::vec3& n) {
+    const float cosine = -glm::dot(n, light.direction);
+    if (cosine <= 0.f) return std::nullopt;
+    return LightWay{position - reach * light.direction, cosine * light.irradiance};
+}
+
+DirectLight along(const RayTracer& tracer, const std::optional<LightWay>& way,
+                  const glm::vec3& position, int rays) {
+    DirectLight result;
+    if (!way) return result;
+    // The rays to a point are all the same.
     int arriving = 0;
     for (int ray = 0; ray < rays; ++ray) {
-        if (!tracer.occluded(position, light.position)) ++arriving;
+        if (!tracer.occluded(position, way->end)) ++arriving;
     }
     result.shadow_rays = static_cast<std::uint32_t>(rays);
-    const float visibility = static_cast<float>(arriving) / static_cast<float>(rays);
-    result.irradiance = visibility * height / glm::length(way) * E;
+    result.irradiance = static_cast<float>(arriving) / static_cast<float>(rays) * way->irradiance;
     return result;
 }
 
-DirectLight from_afar(const RayTracer& tracer, const DirectionalLight& light,
-                      const glm::vec3& position, const glm::vec3& n) {
-    DirectLight result;
-    const float cosine = -glm::dot(n, light.direction);
-    if (cosine <= 0.f) return result;
-    result.shadow_rays = 1;
-    if (!tracer.occluded(position, position - tracer.world().reach * light.direction)) {
-        result.irradiance = cosine * light.irradiance;
+void add(const DirectLight& light, DirectLight& sum) {
+    sum.irradiance += light.irradiance;
+    sum.shadow_rays += light.shadow_rays;
+}
+
+/// Adds what comes along ways[i] to at[i].
+void add_along(const RayTracer& tracer, std::span<const std::optional<LightWay>> ways,
+               std::span<const glm::vec3> positions, std::span<DirectLight> at) {
+    std::vector<Segment> open;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        if (ways[i]) open.push_back({positions[i], ways[i]->end});
     }
-    return result;
+    const std::vector<std::uint8_t> hidden = occluded(tracer, open);
+    std::size_t ray = 0;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        if (!ways[i]) continue;
+        ++at[i].shadow_rays;
+        if (hidden[ray++] == 0) at[i].irradiance += ways[i]->irradiance;
+    }
 }
 
 }  // namespace
 
 DirectLight direct_light(const RayTracer& tracer, const glm::vec3& position, const glm::vec3& n,
                          int rays) {
-    DirectLight result;
-    const auto add = [&](const DirectLight& light) {
-        result.irradiance += light.irradiance;
-        result.shadow_rays += light.shadow_rays;
-    };
+    DirectLight sum;
     for (const PointLight& light : tracer.world().lights) {
-        const auto from = light.radius > 0.f ? from_ball : from_point;
-        add(from(tracer, light, position, n, rays));
+        add(light.radius > 0.f ? from_ball(tracer, light, position, n, rays)
+                               : along(tracer, way_to(light, position, n), position, rays),
+            sum);
     }
     for (const DirectionalLight& light : tracer.world().directional_lights) {
-        add(from_afar(tracer, light, position, n));
+        add(along(tracer, way_to(light, tracer.world().reach, position, n), position, 1), sum);
     }
-    return result;
+    return sum;
+}
+
+void direct_light(const RayTracer& tracer, std::span<const glm::vec3> positions,
+                  std::span<const glm::vec3> n, std::span<DirectLight> at) {
+    const World& world = tracer.world();
+    std::ranges::fill(at, DirectLight{});
+    std::vector<std::optional<LightWay>> ways(positions.size());
+    for (const PointLight& light : world.lights) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            if (light.radius > 0.f) {
+                add(from_ball(tracer, light, positions[i], n[i], 1), at[i]);
+            } else {
+                ways[i] = way_to(light, positions[i], n[i]);
+            }
+        }
+        if (!(light.radius > 0.f)) add_along(tracer, ways, positions, at);
+    }
+    for (const DirectionalLight& light : world.directional_lights) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            ways[i] = way_to(light, world.reach, positions[i], n[i]);
+        }
+        add_along(tracer, ways, positions, at);
+    }
 }
 
 }  // namespace plumbline::ddgi

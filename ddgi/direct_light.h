@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "scenes/ray_tracer.h"
 
@@ -22,5 +23,10 @@ struct DirectLight {
 /// shadow.
 DirectLight direct_light(const RayTracer& tracer, const glm::vec3& position, const glm::vec3& n,
                          int rays = 1);
+
+/// The same for many points at once, whose rays are traced together: at[i] becomes
+/// direct_light(tracer, positions[i], n[i]).
+void direct_light(const RayTracer& tracer, std::span<const glm::vec3> positions,
+                  std::span<const glm::vec3> n, std::span<DirectLight> at);
 
 }  // namespace plumbline::ddgi

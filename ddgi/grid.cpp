@@ -68,6 +68,21 @@ std::uint32_t cell_probe(const ProbeGrid& grid, const glm::vec3& point) {
     return probe_index(grid, cell_around(grid, place_in(grid, point)));
 }
 
+std::array<glm::vec3, 8> neighbour_positions(const ProbeGrid& grid, const glm::vec3& point) {
+    const glm::ivec3 lower = cell_around(grid, place_in(grid, point));
+    // Computed as probe_position() does, so that no bit differs.
+    const glm::vec3 at_lower = grid.origin + grid.spacing * glm::vec3(lower);
+    const glm::vec3 at_upper =
+        grid.origin + grid.spacing * glm::vec3(glm::min(lower + 1, grid.counts - 1));
+    std::array<glm::vec3, 8> positions;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        positions[corner] = {(corner >> 2u & 1u) != 0 ? at_upper.x : at_lower.x,
+                             (corner >> 1u & 1u) != 0 ? at_upper.y : at_lower.y,
+                             (corner & 1u) != 0 ? at_upper.z : at_lower.z};
+    }
+    return positions;
+}
+
 ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point) {
     return probe_neighbours(grid, point, point);
 }

@@ -8,13 +8,31 @@
 
 namespace plumbline::ddgi {
 
+/// A box along axes of its own: as close around a block that turned as around one that did not.
+struct OrientedBox {
+    glm::mat3 axes{1.f};  ///< its columns are the axes: of unit length, at right angles
+    Bounds bounds;        ///< in coordinates along these axes
+
+    /// A point or vector of the world in the box's coordinates.
+    glm::vec3 to_box(const glm::vec3& v) const { return v * axes; }
+};
+
+/// A closed box that moved, where it was and where it is, each smaller than it by the rounding of
+/// rays: what comes from outside and enters is stopped.
+struct SolidMove {
+    OrientedBox was;
+    OrientedBox is;
+};
+
 /// What changed from one frame to the next.
 struct Motion {
     /// Of every object that moved: where it was and where it is, grown by the rounding of rays; one
     /// box around both where that is no larger than the two.
     std::vector<Bounds> boxes;
-    std::vector<bool> moved;  ///< one an object of the world
-    bool lights = false;      ///< a light changed
+    std::vector<OrientedBox> oriented_boxes;  ///< the same along the axes of where objects are
+    std::vector<SolidMove> solids;            ///< of the objects that moved, those that are boxes
+    std::vector<bool> moved;                  ///< one an object of the world
+    bool lights = false;                      ///< a light changed
 
     bool none() const { return boxes.empty() && !lights; }
 };

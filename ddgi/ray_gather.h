@@ -23,8 +23,8 @@ class RayEnds {
     /// `spacing` is the grid's: what is far is measured by it.
     RayEnds(std::size_t probes, std::size_t rays, float spacing);
 
-    /// Takes in the surfels of `probe`, which stands at `position`.
-    void set(std::size_t probe, const glm::vec3& position, const Surfels& surfels);
+    /// Takes in the surfel of ray `ray` of `probe`, which stands at `position`.
+    void set(std::size_t probe, std::size_t ray, const glm::vec3& position, const Surfels& surfels);
 
     /// t_i = max(0, n . w_i) with w_i the ray's direction at the probe: no parallax.
     /// `radiance` are the probe's values, channel by channel.

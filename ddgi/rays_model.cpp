@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddgi/rays_model.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -11,83 +12,82 @@
 namespace plumbline::ddgi {
 namespace {
 
-void put(std::span<float> values, std::size_t surfel, std::size_t rays, const Spectrum& radiance) {
+void put(std::span<float> values, std::size_t probe, std::size_t ray, std::size_t rays,
+         const Spectrum& radiance) {
     for (std::size_t c = 0; c < 3; ++c) {
-        values[value_index(surfel / rays, c, surfel % rays, rays)] = radiance[static_cast<int>(c)];
+        values[value_index(probe, c, ray, rays)] = radiance[static_cast<int>(c)];
     }
-}
-
-/// pi times the mean of the rays' radiance; 0 if no ray counts.
-Spectrum irradiance(const RaySums& sums) {
-    if (sums.weight == 0.f) return Spectrum(0.f);
-    return sums.radiance * (glm::pi<float>() / sums.weight);
 }
 
 }  // namespace
 
+void RaysModel::start(const SurfelCache& cache) {
+    cache_ = &cache;
+    const std::size_t count = cache.surfels().size();
+    ends_.emplace(probe_count(grid_), rays(), grid_.spacing);
+    if (options_.feedback == Feedback::Maps) {
+        maps_.emplace(grid_);
+        gathers_.resize(count);
+    }
+    unfed_.resize(count);
+    reflectance_.resize(count);
+    emitted_.assign(count * 3, 0.f);
+    emitters_.assign(probe_count(grid_), 0);
+}
+
 void RaysModel::take_surfels(const SurfelCache& cache) {
     const bool afresh = cache_ != &cache;
-    cache_ = &cache;
-    const Surfels& surfels = cache.surfels();
-    if (afresh) {
-        ends_.emplace(probe_count(grid_), rays(), grid_.spacing);
-        unfed_.resize(surfels.size());
-        around_.resize(surfels.size());
-        emitted_.assign(surfels.size() * 3, 0.f);
-        emitters_.assign(probe_count(grid_), 0);
-    }
-    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
-        bool moved = afresh;
-        for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i) {
-            moved = moved || cache.replaced(i);
-            if (afresh || cache.changed(i) || weigher_.changed_at(surfels.position[i]))
-                take_surfel(i);
-        }
-        if (!moved) return;
-        const std::span<const float> emitted(&emitted_[probe * 3 * rays()], 3 * rays());
-        emitters_[probe] = std::ranges::any_of(emitted, [](float L) { return L != 0.f; });
-        const glm::vec3 position = probe_position(grid_, static_cast<std::uint32_t>(probe));
-        ends_->set(probe, position, surfels);
-    });
+    if (afresh) start(cache);
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)},
+                      [&](std::size_t probe) { take_probe(probe, afresh); });
     any_emits_ = std::ranges::any_of(emitters_, [](std::uint8_t emits) { return emits != 0; });
 }
 
-void RaysModel::take_surfel(std::size_t surfel) {
+void RaysModel::take_probe(std::size_t probe, bool afresh) {
+    const glm::vec3 position = probe_position(grid_, static_cast<std::uint32_t>(probe));
     const Surfels& surfels = cache_->surfels();
-    const Spectrum emitted = surfels.emission[surfel];
-    put(emitted_, surfel, rays(), emitted);
-    unfed_[surfel] = emitted;
-    if (!surfels.hit(surfel)) return;
-    unfed_[surfel] += surfels.albedo[surfel] / glm::pi<float>() * surfels.direct[surfel];
-    const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[surfel];
-    around_[surfel] = weigher_.weighted(surfels.position[surfel], surfels.n[surfel], seen);
+    bool moved = false;
+    for (std::size_t ray = 0; ray < rays(); ++ray) {
+        const std::size_t i = probe * rays() + ray;
+        const bool weighs_others =
+            afresh || cache_->sees_others(i) || weigher_.changed_at(surfels.position[i]);
+        if (weighs_others || cache_->changed(i)) take_surfel(i, weighs_others);
+        if (!afresh && !cache_->replaced(i)) continue;
+        ends_->set(probe, ray, position, surfels);
+        moved = true;
+    }
+    if (moved) take_emission(probe);
 }
 
-RaysModel::Maps RaysModel::irradiance_maps(std::span<const float> values) const {
-    Maps maps(std::size_t{probe_count(grid_)} * map_nodes);
-    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
-        const float* radiance = &values[probe * 3 * rays()];
-        for (std::size_t node = 0; node < map_nodes; ++node) {
-            const RaySums sums = ends_->along_rays(probe, map_directions()[node], radiance);
-            maps[probe * map_nodes + node] = glm::vec4(irradiance(sums), 0.f);
-        }
-    });
-    return maps;
-}
-
-Spectrum RaysModel::map_irradiance(const Maps& maps, const ProbeNeighbours& around,
-                                   const glm::vec3& n) const {
-    const MapPoint at = map_point(n);
-    glm::vec4 E(0.f);
-    for (std::size_t k = 0; k < around.probe.size(); ++k) {
-        if (around.weight[k] == 0.f) continue;
-        const glm::vec4* map = &maps[around.probe[k] * map_nodes];
-        for (std::size_t i = 0; i < at.node.size(); ++i) {
-            // Walls face an axis, where one node alone counts.
-            if (at.weight[i] != 0.f) E += around.weight[k] * at.weight[i] * map[at.node[i]];
+void RaysModel::take_emission(std::size_t probe) {
+    const std::span<const Spectrum> emission(&cache_->surfels().emission[probe * rays()], rays());
+    const bool emits =
+        std::ranges::any_of(emission, [](const Spectrum& Le) { return Le != Spectrum(0.f); });
+    // A probe that nothing is emitted to keeps its zeros.
+    if (emits || emitters_[probe] != 0) {
+        for (std::size_t ray = 0; ray < rays(); ++ray) {
+            put(emitted_, probe, ray, rays(), emission[ray]);
         }
     }
-    return Spectrum(E);
+    emitters_[probe] = emits ? 1 : 0;
+}
+
+ProbeNeighbours RaysModel::around(std::size_t surfel) const {
+    const Surfels& surfels = cache_->surfels();
+    const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[surfel];
+    return weigher_.weighted(surfels.position[surfel], surfels.n[surfel], seen);
+}
+
+void RaysModel::take_surfel(std::size_t surfel, bool weighs_others) {
+    const Surfels& surfels = cache_->surfels();
+    const bool hit = surfels.hit(surfel);
+    const Spectrum reflectance = hit ? surfels.albedo[surfel] / glm::pi<float>() : Spectrum(0.f);
+    reflectance_[surfel] = reflectance;
+    unfed_[surfel] = surfels.emission[surfel];
+    if (hit) unfed_[surfel] += reflectance * surfels.direct[surfel];
+    if (!maps_ || !weighs_others) return;
+    const bool fed = reflectance != Spectrum(0.f);
+    gathers_[surfel] = fed ? maps_->gather(around(surfel), surfels.n[surfel]) : MapGather{};
 }
 
 Spectrum RaysModel::ray_irradiance(std::span<const float> values, const ProbeNeighbours& around,
@@ -115,24 +115,35 @@ Spectrum RaysModel::ray_irradiance(std::span<const float> values, const ProbeNei
     }));
 }
 
-Spectrum RaysModel::feedback(const Maps& maps, std::span<const float> previous,
-                             std::size_t surfel) const {
+/// E_probes at the surfels of a probe.
+void RaysModel::feed(const FeedbackMaps::Nodes& nodes, std::span<const float> previous,
+                     std::size_t probe, std::span<Spectrum> E) const {
+    const std::size_t first = probe * rays();
+    if (maps_) {
+        maps_->gather(nodes, std::span(gathers_).subspan(first, rays()), E);
+        return;
+    }
     const Surfels& surfels = cache_->surfels();
-    const glm::vec3& x = surfels.position[surfel];
-    const glm::vec3& n = surfels.n[surfel];
-    const ProbeNeighbours& around = around_[surfel];
-    return maps.empty() ? ray_irradiance(previous, around, x, n) : map_irradiance(maps, around, n);
+    for (std::size_t i = first; i < first + rays(); ++i) {
+        E[i - first] = reflectance_[i] == Spectrum(0.f)
+                           ? Spectrum(0.f)
+                           : ray_irradiance(previous, around(i), surfels.position[i], surfels.n[i]);
+    }
 }
 
 void RaysModel::update(std::span<const float> previous, std::span<float> next) const {
-    const Surfels& surfels = cache_->surfels();
-    const Maps maps = options_.feedback == Feedback::Maps ? irradiance_maps(previous) : Maps();
-    tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
-        Spectrum radiance = unfed_[i];
-        if (surfels.hit(i) && surfels.albedo[i] != Spectrum(0.f)) {
-            radiance += surfels.albedo[i] / glm::pi<float>() * feedback(maps, previous, i);
+    const FeedbackMaps::Nodes nodes = maps_ ? maps_->make(*ends_, previous, rays()) : nullptr;
+    const tbb::blocked_range<std::size_t> all(0, probe_count(grid_));
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& probes) {
+        std::vector<Spectrum> E(rays());
+        for (std::size_t probe = probes.begin(); probe < probes.end(); ++probe) {
+            feed(nodes, previous, probe, E);
+            const std::size_t first = probe * rays();
+            for (std::size_t ray = 0; ray < rays(); ++ray) {
+                put(next, probe, ray, rays(),
+                    unfed_[first + ray] + reflectance_[first + ray] * E[ray]);
+            }
         }
-        put(next, i, rays(), radiance);
     });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ddgi/irradiance_map.h"
+#include "ddgi/feedback_maps.h"
 #include "ddgi/model.h"
 #include "ddgi/probe_weigher.h"
 #include "ddgi/ray_gather.h"
@@ -38,28 +38,28 @@ class RaysModel final : public ProbeModel {
     Spectrum emitted_light(const ReceiverPoint& point) const override;
 
  private:
-    /// Irradiances at the nodes of the maps of all probes: (probe * map_nodes + node).
-    using Maps = std::vector<glm::vec4>;
-
     std::size_t rays() const { return static_cast<std::size_t>(cache_->surfels().per_probe); }
-    void take_surfel(std::size_t surfel);
-    Maps irradiance_maps(std::span<const float> values) const;
-    Spectrum map_irradiance(const Maps& maps, const ProbeNeighbours& around,
-                            const glm::vec3& n) const;
+    void start(const SurfelCache& cache);
+    void take_surfel(std::size_t surfel, bool weighs_others);
+    void take_probe(std::size_t probe, bool afresh);
+    ProbeNeighbours around(std::size_t surfel) const;
     Spectrum ray_irradiance(std::span<const float> values, const ProbeNeighbours& around,
                             const glm::vec3& x, const glm::vec3& n) const;
-    /// E_probes at a surfel, from `maps` unless it is empty.
-    Spectrum feedback(const Maps& maps, std::span<const float> previous, std::size_t surfel) const;
+    void take_emission(std::size_t probe);
+    void feed(const FeedbackMaps::Nodes& nodes, std::span<const float> previous, std::size_t probe,
+              std::span<Spectrum> E) const;
 
     ProbeGrid grid_;
     ProbeOptions options_;
     ProbeWeigher weigher_;
     const SurfelCache* cache_ = nullptr;
     std::optional<RayEnds> ends_;
-    std::vector<Spectrum> unfed_;          ///< radiance a surfel ray brings without feedback
-    std::vector<ProbeNeighbours> around_;  ///< what each surfel gathers from
-    std::vector<float> emitted_;           ///< probe values of emission and environment
-    std::vector<std::uint8_t> emitters_;   ///< of each probe, whether emitted_ has any for it
+    std::vector<Spectrum> unfed_;         ///< radiance a surfel ray brings without feedback
+    std::optional<FeedbackMaps> maps_;    ///< none with Feedback::Rays
+    std::vector<MapGather> gathers_;      ///< what each surfel gathers from the maps
+    std::vector<Spectrum> reflectance_;   ///< radiance over irradiance; 0 for a miss
+    std::vector<float> emitted_;          ///< probe values of emission and environment
+    std::vector<std::uint8_t> emitters_;  ///< of each probe, whether emitted_ has any for it
     bool any_emits_ = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "ddgi/grid.h"
 #include "scenes/ray_tracer.h"
@@ -25,6 +26,11 @@ constexpr std::uint8_t all_probes = 0xff;
 /// wall's face has rays on both sides of the wall. `x` is just off the surface.
 std::uint8_t seen_probes(const RayTracer& tracer, const ProbeGrid& grid, const glm::vec3& x,
                          const glm::vec3& n);
+
+/// The same for many points at once, whose rays are traced together: seen[i] becomes
+/// seen_probes(tracer, grid, x[i], n[i]).
+void seen_probes(const RayTracer& tracer, const ProbeGrid& grid, std::span<const glm::vec3> x,
+                 std::span<const glm::vec3> n, std::span<std::uint8_t> seen);
 
 /// The smallest box around `x` and all the probes that seen_probes() asks for: nothing outside it
 /// can change the answer.

@@ -61,11 +61,15 @@ T thesis_propagation(const T& falloffRegulator, float spacing) {
     return falloffRegulator / Coefficient<T>(2.f * spacing * spacing);
 }
 
-/// The probe that a missed ray of principal direction d reads. Border probes step inward first,
-/// so that they read themselves or a probe further in. Needs three probes along each axis.
+/// The cell that the probe's missed rays start from: border probes step inward first, so that they
+/// read themselves or a probe further in. Needs three probes along each axis.
+inline glm::ivec3 thesis_inner_cell(const ProbeGrid& grid, std::uint32_t probe) {
+    return glm::clamp(probe_cell(grid, probe), glm::ivec3(1), grid.counts - 2);
+}
+
+/// The probe that a missed ray of principal direction d reads.
 inline std::uint32_t thesis_neighbour(const ProbeGrid& grid, std::uint32_t probe, std::size_t d) {
-    const glm::ivec3 inner = glm::clamp(probe_cell(grid, probe), glm::ivec3(1), grid.counts - 2);
-    return probe_index(grid, inner + principal_directions[d]);
+    return probe_index(grid, thesis_inner_cell(grid, probe) + principal_directions[d]);
 }
 
 /// Radiance of a lit surfel as the probes take it: attenuated, then clamped as published.
@@ -77,18 +81,20 @@ T thesis_surfel(const T& radiance, const T& bounceAttenuation) {
     return lit;
 }
 
-/// The share of missed rays per probe and principal direction, at probe * octant_count + d.
+/// The share of missed rays per principal direction of `probe`.
+std::array<float, octant_count> thesis_miss_shares(const ThesisField& field, std::size_t probe);
+/// ... and of all probes, at probe * octant_count + d.
 std::vector<float> thesis_miss_shares(const ThesisField& field);
 
-/// The hits' part of an update, into `lit` (probes * 3 * octant_count values, see value_index).
-/// `previous`: the values that feed back; may be empty if multiBounceIntensity is 0. Without
-/// feedback the result does not change from one update to the next.
+/// The hits' part of an update of `probe`, into `lit` (probes * 3 * octant_count values, see
+/// value_index). `previous`: the values that feed back; may be empty if multiBounceIntensity is 0.
+/// Without feedback the result does not change from one update to the next.
 template <typename T>
 void thesis_lit(const ThesisField& field, const ThesisParameters<T>& parameters,
-                std::span<const T> previous, std::span<T> lit) {
+                std::span<const T> previous, std::size_t probe, std::span<T> lit) {
     const bool feedback = !previous.empty();
     const std::size_t per_octant = field.pattern.per_octant();
-    const auto light_octant = [&](std::size_t probe, std::size_t d) {
+    const auto light_octant = [&](std::size_t d) {
         const glm::vec3 axis = glm::normalize(glm::vec3(principal_directions[d]));
         std::array<T, 3> sum{T(0), T(0), T(0)};
         for (std::size_t ray = d * per_octant; ray < (d + 1) * per_octant; ++ray) {
@@ -115,8 +121,15 @@ void thesis_lit(const ThesisField& field, const ThesisParameters<T>& parameters,
             lit[value_index(probe, c, d, octant_count)] = sum[c] / Coefficient<T>(per_octant);
         }
     };
+    for (std::size_t d = 0; d < octant_count; ++d) light_octant(d);
+}
+
+/// ... and of all probes.
+template <typename T>
+void thesis_lit(const ThesisField& field, const ThesisParameters<T>& parameters,
+                std::span<const T> previous, std::span<T> lit) {
     tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(field.grid)}, [&](std::size_t probe) {
-        for (std::size_t d = 0; d < octant_count; ++d) light_octant(probe, d);
+        thesis_lit<T>(field, parameters, previous, probe, lit);
     });
 }
 
@@ -126,8 +139,9 @@ void thesis_propagate(const ProbeGrid& grid, std::span<const float> miss_shares,
                       const T& propagation, std::span<const T> lit, std::span<const T> previous,
                       std::span<T> next) {
     tbb::parallel_for(std::uint32_t{0}, probe_count(grid), [&](std::uint32_t probe) {
+        const glm::ivec3 inner = thesis_inner_cell(grid, probe);
         for (std::size_t d = 0; d < octant_count; ++d) {
-            const std::uint32_t neighbour = thesis_neighbour(grid, probe, d);
+            const std::uint32_t neighbour = probe_index(grid, inner + principal_directions[d]);
             const T passed = propagation * Coefficient<T>(miss_shares[probe * octant_count + d]);
             for (std::size_t c = 0; c < 3; ++c) {
                 const std::size_t here = value_index(probe, c, d, octant_count);

@@ -3,19 +3,30 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "scenes/errors.h"
 
 namespace plumbline::ddgi {
 
-std::vector<float> thesis_miss_shares(const ThesisField& field) {
+std::array<float, octant_count> thesis_miss_shares(const ThesisField& field, std::size_t probe) {
     const std::size_t per_octant = field.pattern.per_octant();
-    std::vector<float> shares(field.surfels.size() / per_octant);
-    for (std::size_t i = 0; i < shares.size(); ++i) {
+    std::array<float, octant_count> shares;
+    for (std::size_t d = 0; d < octant_count; ++d) {
+        const std::size_t first = (probe * octant_count + d) * per_octant;
         int misses = 0;
-        for (std::size_t ray = 0; ray < per_octant; ++ray) {
-            if (!field.surfels.hit(i * per_octant + ray)) ++misses;
+        for (std::size_t i = first; i < first + per_octant; ++i) {
+            if (!field.surfels.hit(i)) ++misses;
         }
-        shares[i] = static_cast<float>(misses) / static_cast<float>(per_octant);
+        shares[d] = static_cast<float>(misses) / static_cast<float>(per_octant);
+    }
+    return shares;
+}
+
+std::vector<float> thesis_miss_shares(const ThesisField& field) {
+    std::vector<float> shares;
+    for (std::size_t probe = 0; probe < probe_count(field.grid); ++probe) {
+        std::ranges::copy(thesis_miss_shares(field, probe), std::back_inserter(shares));
     }
     return shares;
 }
@@ -34,10 +45,15 @@ ThesisModel::ThesisModel(const ThesisConstants& constants, const ProbeGrid& grid
 }
 
 void ThesisModel::take_surfels(const SurfelCache& cache) {
+    const bool afresh = cache_ != &cache;
     cache_ = &cache;
-    miss_shares_ = thesis_miss_shares(field());
-    lit_.resize(probe_count(grid_) * 3 * octant_count);
-    if (!feedback()) thesis_lit<float>(field(), parameters_, {}, lit_);
+    lit_.resize(std::size_t{probe_count(grid_)} * 3 * octant_count);
+    miss_shares_.resize(std::size_t{probe_count(grid_)} * octant_count);
+    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
+        if (!afresh && !cache.probe_changed(probe)) return;
+        std::ranges::copy(thesis_miss_shares(field(), probe), &miss_shares_[probe * octant_count]);
+        if (!feedback()) thesis_lit<float>(field(), parameters_, {}, probe, lit_);
+    });
 }
 
 void ThesisModel::update(std::span<const float> previous, std::span<float> next) const {

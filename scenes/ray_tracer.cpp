@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "scenes/embree_scene.h"
 #include "scenes/ray_packets.h"
@@ -33,6 +34,33 @@ void cull_backs(const RTCFilterFunctionNArguments* args) {
                    RTCHitN_Ng_z(args->hit, n, i)}};
         if (context->scene->is_culled(direction, found)) args->valid[i] = 0;
     }
+}
+
+/// Of one ray, what it met nearest so far.
+struct SingleRayContext {
+    CullingContext culling;  // first: Embree hands this pointer to the filter
+    float t;
+    unsigned geometry, primitive;
+};
+
+/// cull_backs() for one ray, which also meets the first in order of surfaces that lie at the very
+/// same distance: else the rest of the scene would say which, by the shape of the BVH.
+void cull_backs_and_ties(const RTCFilterFunctionNArguments* args) {
+    cull_backs(args);
+    if (args->valid[0] == 0) return;
+    auto* nearest = reinterpret_cast<SingleRayContext*>(args->context);
+    const float t = RTCRayN_tfar(args->ray, args->N, 0);
+    const unsigned geometry = RTCHitN_geomID(args->hit, args->N, 0);
+    const unsigned primitive = RTCHitN_primID(args->hit, args->N, 0);
+    const bool later =
+        std::tie(geometry, primitive) > std::tie(nearest->geometry, nearest->primitive);
+    if (t == nearest->t && later) {
+        args->valid[0] = 0;
+        return;
+    }
+    nearest->t = t;
+    nearest->geometry = geometry;
+    nearest->primitive = primitive;
 }
 
 CullingContext context_for(const EmbreeScene& scene, BackFaces back_faces, Coherence coherence) {
@@ -115,10 +143,11 @@ void RayTracer::occluded(const SegmentLanes& segments, Lanes<std::int32_t>& hidd
 }
 
 std::optional<Hit> RayTracer::intersect(const Ray& ray, BackFaces back_faces) const {
-    CullingContext context = context_for(*embree_, back_faces, Coherence::Incoherent);
+    SingleRayContext context{context_for(*embree_, back_faces, Coherence::Incoherent), -1.f, 0, 0};
+    if (back_faces == BackFaces::Cull) context.culling.embree.filter = cull_backs_and_ties;
     Packet<1> packet;
     packet.load(ray);
-    packet.intersect(embree_->scene(), context.embree);
+    packet.intersect(embree_->scene(), context.culling.embree);
     if (!packet.found(0)) return std::nullopt;
     return embree_->hit(ray, packet.hit(0));
 }

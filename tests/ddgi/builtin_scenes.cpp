@@ -88,6 +88,39 @@ TEST_CASE("hardly more surfels are re-placed than those that tracing all afresh 
     CHECK(double(replaced) <= 1.3 * double(changed));
 }
 
+TEST_CASE("once light has settled a frame in which nothing moves takes no work", "[ddgi]") {
+    const auto name = GENERATE(as<std::string>(), "cornell-box", "room-with-door");
+    const auto model = GENERATE(as<std::string>(), "conserving", "thesis");
+    const Scene scene = load_scene(name);
+    constexpr int at_rest = 360;
+    ProbeVolume volume(scene, coarse(model, true));
+    volume.move_to(at_rest);
+    // Light shrinks by the albedo, .7 on average, from one update to the next: the bits of a float
+    // are spent after 24 log 2 / log(1 / .7), 47.
+    constexpr int enough = 120;
+    int updates = 0;
+    do {
+        volume.update();
+    } while (volume.figures().relative_change != 0. && ++updates < enough);
+    INFO(name << ", " << model << " after " << updates);
+    CHECK(updates < enough);
+    const std::vector<float> settled(volume.values().begin(), volume.values().end());
+    std::vector<float> again(settled.size());
+    volume.model().update(settled, again);
+    CHECK(again == settled);
+    for (int frame = at_rest + 1; frame < at_rest + 4; ++frame) {
+        volume.move_to(frame);
+        volume.update();
+        CHECK(volume.figures().replaced == 0);
+        CHECK(volume.figures().surfel_shadow_rays == 0);
+        CHECK(volume.figures().relative_change == 0.);
+        for (std::size_t i = 0; i < volume.cache().surfels().size(); ++i) {
+            if (volume.cache().changed(i)) FAIL("surfel " << i << " was touched");
+        }
+    }
+    CHECK(std::ranges::equal(volume.values(), settled));
+}
+
 TEST_CASE("hardly any light of the lit room reaches the dark one through a thin wall", "[ddgi]") {
     Scene scene = load_scene("two-rooms");
     scene.camera.width = 96;

@@ -144,7 +144,7 @@ TEST_CASE("gather weights of rays in float are their double twins", "[ddgi][twin
             if (glm::dot(surfels.n[ray], surfels.direction[ray]) > 0.f) surfels.n[ray] *= -1.f;
         }
         RayEnds ends(1, rays, 1.f);
-        ends.set(0, probe, surfels);
+        for (std::size_t ray = 0; ray < rays; ++ray) ends.set(0, ray, probe, surfels);
         const glm::vec3 x = probe + std::pow(10.f, 2.f * uniform(engine)) * any_direction(engine);
         const glm::vec3 n = any_direction(engine);
         for (std::size_t ray = 0; ray < rays; ++ray) {

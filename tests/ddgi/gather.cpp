@@ -3,6 +3,7 @@
 #include <glm/gtc/constants.hpp>
 #include <random>
 
+#include "ddgi/feedback_maps.h"
 #include "ddgi/irradiance_map.h"
 #include "ddgi/patterns.h"
 #include "ddgi/probe_weigher.h"
@@ -18,6 +19,12 @@ namespace {
 glm::vec3 random_direction(std::mt19937& engine) {
     std::normal_distribution<float> normal;
     return glm::normalize(glm::vec3(normal(engine), normal(engine), normal(engine)));
+}
+
+RayEnds ends_of(const Surfels& surfels, const glm::vec3& position) {
+    RayEnds ends(1, surfels.size(), 1.f);
+    for (std::size_t ray = 0; ray < surfels.size(); ++ray) ends.set(0, ray, position, surfels);
+    return ends;
 }
 
 /// One probe at `position` inside the sphere of radius 2, its rays traced by hand.
@@ -43,8 +50,7 @@ TEST_CASE("rays summed in lanes are the sum of their weights times radiance", "[
     std::uniform_real_distribution<float> uniform(0.f, 1.f);
     const RayPattern pattern = sphere_pattern(64, true);
     const Surfels surfels = surfels_in_sphere(pattern, {.3f, -.2f, .5f});
-    RayEnds ends(1, surfels.size(), 1.f);
-    ends.set(0, {.3f, -.2f, .5f}, surfels);
+    const RayEnds ends = ends_of(surfels, {.3f, -.2f, .5f});
     std::vector<float> radiance(3 * surfels.size());
     for (float& L : radiance) L = uniform(engine);
     const glm::vec3 n = random_direction(engine);
@@ -66,8 +72,7 @@ TEST_CASE("where the point is the probe both ways to gather are one", "[ddgi]") 
     std::mt19937 engine(11);
     const glm::vec3 x(.4f, .1f, -.3f);
     const Surfels surfels = surfels_in_sphere(sphere_pattern(128, true), x);
-    RayEnds ends(1, surfels.size(), 1.f);
-    ends.set(0, x, surfels);
+    const RayEnds ends = ends_of(surfels, x);
     const std::vector<float> radiance(3 * surfels.size(), 1.f);
     for (int i = 0; i < 20; ++i) {
         const glm::vec3 n = random_direction(engine);
@@ -83,8 +88,7 @@ TEST_CASE("seen from another point the rays' patches still cover half the cosine
     std::mt19937 engine(13);
     const glm::vec3 probe(.2f, -.3f, .1f);
     const Surfels surfels = surfels_in_sphere(sphere_pattern(4096, true), probe);
-    RayEnds ends(1, surfels.size(), 1.f);
-    ends.set(0, probe, surfels);
+    const RayEnds ends = ends_of(surfels, probe);
     const std::vector<float> radiance(3 * surfels.size(), 1.f);
     const double solid_angle = 4. * glm::pi<double>() / double(surfels.size());
     for (int i = 0; i < 20; ++i) {
@@ -96,8 +100,7 @@ TEST_CASE("seen from another point the rays' patches still cover half the cosine
 
 TEST_CASE("a ray that ends at the point itself brings nothing and no NaN", "[ddgi]") {
     const Surfels surfels = surfels_in_sphere(sphere_pattern(8, false), glm::vec3(0.f));
-    RayEnds ends(1, surfels.size(), 1.f);
-    ends.set(0, glm::vec3(0.f), surfels);
+    const RayEnds ends = ends_of(surfels, glm::vec3(0.f));
     const std::vector<float> radiance(3 * surfels.size(), 1.f);
     const glm::vec3 x = surfels.distance[0] * surfels.direction[0];
     CHECK(std::isfinite(ends.from_point(0, x, surfels.n[0], radiance.data()).weight));
@@ -132,6 +135,46 @@ TEST_CASE("the six axes are nodes of the map", "[ddgi]") {
             CHECK(at.weight[largest] == Approx(1.f));
             CHECK(glm::distance(map_directions()[at.node[largest]], n) < 1e-6f);
         }
+    }
+}
+
+TEST_CASE("surfels gather what the nodes around their normals interpolate to", "[ddgi]") {
+    std::mt19937 engine(23);
+    std::uniform_real_distribution<float> uniform(0.f, 1.f);
+    const ProbeGrid grid{glm::vec3(-.5f), 1.f, {2, 2, 1}};  // thinner than a cell along z
+    const Surfels surfels = surfels_in_sphere(sphere_pattern(64, true), {.1f, 0.f, 0.f});
+    RayEnds ends(4, 64, 1.f);
+    std::vector<float> radiance(4 * 3 * 64);
+    for (float& L : radiance) L = uniform(engine);
+    Surfels all;
+    all.resize(4, 64);
+    for (std::size_t i = 0; i < all.size(); ++i) all.direction[i] = surfels.direction[i % 64];
+    for (std::size_t i = 0; i < all.size(); ++i) ends.set(i / 64, i % 64, glm::vec3(0.f), all);
+
+    FeedbackMaps maps(grid);
+    std::vector<MapGather> gathers;
+    std::vector<Spectrum> expected;
+    for (int i = 0; i < 40; ++i) {
+        glm::vec3 n = random_direction(engine);
+        if (i < 6) n = (i < 3 ? 1.f : -1.f) * glm::vec3(i % 3 == 0, i % 3 == 1, i % 3 == 2);
+        const ProbeNeighbours around = probe_neighbours(grid, uniform(engine) * n);
+        gathers.push_back(maps.gather(around, n));
+        const MapPoint at = map_point(n);
+        Spectrum E(0.f);
+        for (std::size_t k = 0; k < 8; ++k) {
+            for (std::size_t node = 0; node < 4; ++node) {
+                const RaySums sums =
+                    ends.along_rays(around.probe[k], map_directions()[at.node[node]],
+                                    &radiance[around.probe[k] * 3 * 64]);
+                E += around.weight[k] * at.weight[node] * irradiance(sums);
+            }
+        }
+        expected.push_back(E);
+    }
+    std::vector<Spectrum> gathered(gathers.size());
+    maps.gather(maps.make(ends, radiance, 64), gathers, gathered);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        for (int c = 0; c < 3; ++c) CHECK(gathered[i][c] == Approx(expected[i][c]).epsilon(1e-5));
     }
 }
 

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ddgi/moved_rays.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ddgi/float8.h"
+
+namespace plumbline::ddgi {
+namespace {
+
+/// Of the size of a solid box: a light this far from it is not in it, whatever the rounding.
+constexpr float solid_clearance = 1e-3f;
+
+/// All bits of a lane, or none.
+using Mask8 [[gnu::vector_size(sizeof(Float8))]] = std::int32_t;
+
+/// A vector a lane.
+struct Vector8 {
+    Float8 x, y, z;
+};
+
+[[gnu::always_inline]] inline Vector8 load_vector8(const float* x, const float* y, const float* z) {
+    return {load_float8(x), load_float8(y), load_float8(z)};
+}
+
+[[gnu::always_inline]] inline Vector8 same_vector8(const glm::vec3& v) {
+    return {same_float8(v.x), same_float8(v.y), same_float8(v.z)};
+}
+
+[[gnu::always_inline]] inline Vector8 to_box(const OrientedBox& box, const Vector8& v) {
+    const glm::mat3& axes = box.axes;
+    return {v.x * axes[0].x + v.y * axes[0].y + v.z * axes[0].z,
+            v.x * axes[1].x + v.y * axes[1].y + v.z * axes[1].z,
+            v.x * axes[2].x + v.y * axes[2].y + v.z * axes[2].z};
+}
+
+/// The part of the lines origin + t direction, t from `enter` to `leave`, that lies in a slab.
+[[gnu::always_inline]] inline void clip(const Float8& origin, const Float8& direction, float lower,
+                                        float upper, Float8& enter, Float8& leave) {
+    // 1 / 0 would give 0 * infinity, NaN, for an origin on the slab's plane.
+    const Float8 inverse = 1.f / (direction == 0.f ? same_float8(1e-30f) : direction);
+    const Float8 a = (lower - origin) * inverse;
+    const Float8 b = (upper - origin) * inverse;
+    enter = larger(enter, smaller(a, b));
+    leave = smaller(leave, larger(a, b));
+}
+
+/// Bit i is set where a point origin + t direction of lane i, 0 <= t <= length, is in `bounds`, all
+/// in the coordinates of the box.
+[[gnu::always_inline]] inline Mask8 meeting(const Vector8& origin, const Vector8& direction,
+                                            const Float8& length, const Bounds& bounds) {
+    Float8 enter{};
+    Float8 leave = length;
+    clip(origin.x, direction.x, bounds.lower.x, bounds.upper.x, enter, leave);
+    clip(origin.y, direction.y, bounds.lower.y, bounds.upper.y, enter, leave);
+    clip(origin.z, direction.z, bounds.lower.z, bounds.upper.z, enter, leave);
+    return enter <= leave;
+}
+
+[[gnu::always_inline]] inline bool any(const Mask8& mask) {
+    std::array<std::uint64_t, sizeof mask / sizeof(std::uint64_t)> words;
+    std::memcpy(&words, &mask, sizeof mask);
+    std::uint64_t all = 0;
+    for (const std::uint64_t word : words) all |= word;
+    return all != 0;
+}
+
+[[gnu::always_inline]] inline void set(const Mask8& where, std::uint8_t mark, std::uint8_t* marks) {
+    for (std::size_t i = 0; i < float8_lanes; ++i) {
+        marks[i] = static_cast<std::uint8_t>(marks[i] | (where[i] & mark));
+    }
+}
+
+/// Where the way from a surfel to the light comes as near to `box` as `radius`, or nearer.
+[[gnu::always_inline]] inline Mask8 ways_meeting(const Vector8& surfels, const LampWay& light,
+                                                 const OrientedBox& box, float radius) {
+    const Vector8 surfel = to_box(box, surfels);
+    const bool far = light.direction != glm::vec3(0.f);
+    const Vector8 end = same_vector8(box.to_box(far ? light.direction : light.position));
+    const Vector8 way = far ? end : Vector8{end.x - surfel.x, end.y - surfel.y, end.z - surfel.z};
+    return meeting(surfel, way, same_float8(light.length), box.bounds.grown(radius));
+}
+
+/// Whether the ways to this light all end outside of `box`, by its margin.
+bool ends_outside(const LampWay& light, const OrientedBox& box) {
+    if (light.direction != glm::vec3(0.f)) return true;
+    if (light.radius > 0.f) return false;
+    const glm::vec3 size = box.bounds.size();
+    return !box.bounds.grown(solid_clearance * max_component(size))
+                .contains(box.to_box(light.position));
+}
+
+}  // namespace
+
+std::vector<LampWay> lamp_ways(const World& world, const Motion& motion) {
+    std::vector<LampWay> ways;
+    for (const PointLight& light : world.lights) {
+        ways.push_back({.position = light.position, .radius = light.radius});
+    }
+    for (const DirectionalLight& light : world.directional_lights) {
+        ways.push_back(
+            {.direction = -light.direction, .length = std::numeric_limits<float>::infinity()});
+    }
+    for (LampWay& way : ways) {
+        std::ranges::copy_if(motion.solids, std::back_inserter(way.solids),
+                             [&](const SolidMove& solid) {
+                                 return ends_outside(way, solid.was) && ends_outside(way, solid.is);
+                             });
+    }
+    return ways;
+}
+
+void ProbeRays::set_direction(std::size_t probe, std::size_t ray, const glm::vec3& direction) {
+    at(probe, Dx)[ray] = direction.x;
+    at(probe, Dy)[ray] = direction.y;
+    at(probe, Dz)[ray] = direction.z;
+}
+
+void ProbeRays::set_end(std::size_t probe, std::size_t ray, float length, const glm::vec3* surfel) {
+    at(probe, Length)[ray] = length;
+    at(probe, HasSurfel)[ray] = surfel != nullptr ? 1.f : 0.f;
+    if (surfel == nullptr) return;
+    at(probe, X)[ray] = surfel->x;
+    at(probe, Y)[ray] = surfel->y;
+    at(probe, Z)[ray] = surfel->z;
+}
+
+[[gnu::target_clones("avx2", "default")]] void ProbeRays::mark_rays(
+    std::size_t probe, const glm::vec3& origin, const OrientedBox& box, std::uint8_t mark,
+    std::span<std::uint8_t> marks) const {
+    const Vector8 start = same_vector8(box.to_box(origin));
+    for (std::size_t i = 0; i < rays_; i += float8_lanes) {
+        const Vector8 direction =
+            load_vector8(at(probe, Dx) + i, at(probe, Dy) + i, at(probe, Dz) + i);
+        const Mask8 met =
+            meeting(start, to_box(box, direction), load_float8(at(probe, Length) + i), box.bounds);
+        if (any(met)) set(met, mark, &marks[i]);
+    }
+}
+
+[[gnu::target_clones("avx2", "default")]] void ProbeRays::mark_shadows(
+    std::size_t probe, const LampWay& light, std::span<const OrientedBox> boxes, std::uint8_t mark,
+    std::span<std::uint8_t> marks) const {
+    for (std::size_t i = 0; i < rays_; i += float8_lanes) {
+        const Mask8 there = load_float8(at(probe, HasSurfel) + i) > 0.f;
+        if (!any(there)) continue;
+        const Vector8 surfels = load_vector8(at(probe, X) + i, at(probe, Y) + i, at(probe, Z) + i);
+        Mask8 met{};
+        // Ways to a ball stay within its radius of the way to its centre.
+        for (const OrientedBox& box : boxes) {
+            met |= ways_meeting(surfels, light, box, light.radius);
+        }
+        met &= there;
+        if (!any(met)) continue;
+        for (const SolidMove& solid : light.solids) {
+            met &= ~(ways_meeting(surfels, light, solid.was, 0.f) &
+                     ways_meeting(surfels, light, solid.is, 0.f));
+        }
+        if (any(met)) set(met, mark, &marks[i]);
+    }
+}
+
+}  // namespace plumbline::ddgi
