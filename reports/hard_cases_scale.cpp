@@ -76,9 +76,10 @@ void same_picture(Trial& trial, const Scene& plain, const Scene& scene) {
         ddgi::DdgiOptions of_model;
         of_model.model = model;
         const double expected = mean_radiance(ddgi::render(plain, 0, of_model).image);
-        // A ray at an edge may fall on its other side; the mean hardly moves.
+        // Of 14 thousand rays those level with an edge or a face fall on either side of it once
+        // rounding moves it: some tens, and what the pixels near them see.
         trial.near(model, "mean radiance against the plain scene", mean_radiance(probes), expected,
-                   expected * (.002 + 20. * resolution(scene)));
+                   expected * (.004 + 20. * resolution(scene)));
     }
 }
 
