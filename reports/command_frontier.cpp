@@ -88,7 +88,7 @@ void add_frontier_command(CLI::App& app) {
         ->required();
     add_common_options(command, options->common);
     command.add_option("--reference", options->reference,
-                       "EXR with the truth (default: path-traced with 1024 samples a pixel)");
+                       "EXR with the truth (default: path-traced with 4096 samples a pixel)");
     command.add_option("--repeats", options->repeats,
                        "Runs of each, of which the median counts (default: 3; 2 with --quick)");
     command.add_flag("--quick", options->quick,

@@ -24,7 +24,7 @@ Spread spread_of(std::vector<double> values) {
 
 FrontierEffort frontier_effort(bool quick) {
     if (quick) return {160. * 90., 256, {1, 4, 16, 64}, 2};
-    return {320. * 180., 1024, {1, 4, 16, 64, 256}, 3};
+    return {320. * 180., 4096, {1, 4, 16, 64, 256, 1024}, 3};
 }
 
 void check(const FrontierOptions& options) {
