@@ -147,7 +147,7 @@ void add_report_command(CLI::App& app) {
         ->required();
     command->add_option("-o,--output", options->folder, "Folder for index.html and results.json")
         ->required();
-    command->add_flag("--quick", options->quick, "Fewer samples: more noise, a third of the time");
+    command->add_flag("--quick", options->quick, "Fewer samples: more noise, half the time");
     command->add_flag("--hard-cases", options->hard_cases,
                       "Also run the hard cases of `plumbline stress` and show their table");
     command->add_flag("--publish", options->publish,

@@ -60,6 +60,12 @@ TEST_CASE("report measures a scene with every model and writes a page and its fi
     };
     CHECK(rmse_of("conserving") < rmse_of("thesis"));
     CHECK(rmse_of("thesis-fitted") > 0);
+    for (const nlohmann::json& picture : scene["path_tracer"])
+        CHECK(picture["errors"]["indirect"]["noise"]["method"] == "independent halves");
+    CHECK(scene["animation"]["models"].size() == scene["models"].size());
+    CHECK(!scene["frontier"]["points"].empty());
+    CHECK(scene["audit"].size() + 1 == scene["models"].size());  // all but the fitted one
+    CHECK(results["transfer"].size() == 3 * 5);  // three scenes; two of them at frame 0 too
 }
 
 TEST_CASE("report refuses what it cannot use, and leaves nothing behind", "[reports][command]") {
