@@ -61,6 +61,11 @@ nlohmann::ordered_json json_of(const DdgiResult& result, const DdgiOptions& opti
     json["surfels"] = figures.surfels;
     json["surfels_hit"] = figures.surfels_hit;
     json["replaced"] = figures.replaced;
+    if (options.budget) {
+        json["budget"] = *options.budget;
+        json["surfels_waiting"] = figures.surfels_waiting;
+        json["oldest_wait"] = figures.oldest_wait;
+    }
     json["shadow_rays"] = figures.shadow_rays;
     json["surfel_shadow_rays"] = figures.surfel_shadow_rays;
     json["updates"] = figures.updates;
@@ -119,6 +124,9 @@ void add_probe_options(CLI::App& command, Arguments& arguments) {
     add_choice(command, "--gi", arguments.gi, {{"on", true}, {"off", false}},
                "off: direct light only, no probes (default: on)");
     command.add_flag("--no-cache", arguments.no_cache, "Place every surfel afresh each frame");
+    command.add_option("--budget", options.budget,
+                       "Surfels that an update re-places or lights again at most, those that wait "
+                       "longest and changed most first (default: all)");
     command.add_option("--shadow-rays", options.shadow_rays,
                        "Shadow rays a pixel sample and light: the more, the smoother the soft "
                        "shadows of lights with a radius (default: 1)");

@@ -35,6 +35,13 @@ void check(const DdgiOptions& options) {
         throw UsageError("--updates", fmt::format("{} updates", *options.updates),
                          "give 0 or more");
     }
+    if (options.budget && *options.budget < 1) {
+        throw UsageError("--budget", fmt::format("{} surfels", *options.budget), "give 1 or more");
+    }
+    if (options.budget && !options.cache) {
+        throw UsageError("--budget", "without the cache every surfel is placed at every frame",
+                         "leave --no-cache out, or --budget");
+    }
 }
 
 /// Plays the frames before `frame` with one update each, then updates there as asked.
@@ -89,6 +96,7 @@ void describe(Image& image, const Scene& scene, int frame, const DdgiOptions& op
         image.metadata["plumbline:" + name] = fmt::format("{}", value);
     }
     if (options.spacing) image.metadata["plumbline:spacing"] = fmt::format("{}", *options.spacing);
+    if (options.budget) image.metadata["plumbline:budget"] = std::to_string(*options.budget);
 }
 
 /// Says how the probes feed themselves, and warns where that cannot end well.
@@ -131,6 +139,10 @@ DdgiResult render_with_probes(const Scene& scene, int frame, const DdgiOptions& 
         result.notes.push_back(
             fmt::format("the probes did not converge: after {} updates they still change by {:.2g}",
                         result.figures.updates, result.figures.relative_change));
+        if (result.figures.surfels_waiting > 0) {
+            result.notes.back() +=
+                fmt::format(", and {} surfels wait for their turn", result.figures.surfels_waiting);
+        }
     }
     if (options.spectral_radius) measure_feedback(scene, volume, options, result);
     return result;

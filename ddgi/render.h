@@ -26,6 +26,9 @@ struct DdgiOptions {
     std::optional<int> updates;       ///< at the last frame; none: until converged
     std::optional<float> spacing;
     bool spectral_radius = false;  ///< measure it: see DdgiResult
+    /// Surfels that an update re-places or lights again at most, the others wait: see SurfelQueue;
+    /// none: all at once.
+    std::optional<int> budget = std::nullopt;
 };
 
 /// What one frame took, and what it counted.
@@ -40,10 +43,12 @@ struct FrameFigures {
     std::uint64_t replaced = 0;     ///< those placed this frame
     std::uint64_t shadow_rays = 0;  ///< of surfels and of the picture
     std::uint64_t surfel_shadow_rays = 0;
-    int updates = 0;               ///< probe updates at this frame
-    double relative_change = 0;    ///< of the last update, largest over probes
-    bool converged = false;        ///< relative_change is below convergence_threshold
-    std::uint64_t non_finite = 0;  ///< values of the picture that are not finite
+    int updates = 0;             ///< probe updates at this frame
+    double relative_change = 0;  ///< of the last update, largest over probes
+    bool converged = false;  ///< relative_change is below convergence_threshold, no surfel waits
+    std::uint64_t non_finite = 0;       ///< values of the picture that are not finite
+    std::uint64_t surfels_waiting = 0;  ///< for their turn in the budget
+    int oldest_wait = 0;                ///< of these, in updates since it was touched
 };
 
 /// A still is updated until no probe changes by more than this, relative to its largest value.

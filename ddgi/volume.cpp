@@ -3,6 +3,7 @@
 
 #include "ddgi/change.h"
 #include "ddgi/stopwatch.h"
+#include "scenes/errors.h"
 
 namespace plumbline::ddgi {
 
@@ -27,9 +28,15 @@ ProbeVolume::ProbeVolume(const Scene& scene, const DdgiOptions& options)
       setup_(make_model(options.model, scene, grid_, options.set, options.probes)),
       bins_(setup_.model->bins(options.surfels)),
       cache_(grid_, setup_.model->pattern(options.surfels), setup_.model->reach(),
-             setup_.model->weights()),
+             setup_.model->weights(), options.budget),
       values_(probe_count(grid_) * 3 * bins_, 0.f),
-      next_(values_.size()) {}
+      next_(values_.size()) {
+    if (options.budget && setup_.model->turns_rays()) {
+        throw UsageError("--budget",
+                         "the rays of this model turn, so that all are placed at every update",
+                         "leave --budget out, or give --set turnedRays=0");
+    }
+}
 
 ProbeVolume::~ProbeVolume() = default;
 
@@ -49,6 +56,7 @@ void ProbeVolume::move_to(int frame) {
         turn_rays();
         return;
     }
+    const bool due = changed || !caching_ || cache_.waiting() > 0;
     const bool afresh = first || !caching_;
     if (afresh) {
         cache_.rebuild(stage_->tracer);
@@ -56,13 +64,24 @@ void ProbeVolume::move_to(int frame) {
         cache_.refresh(stage_->tracer, motion);
     }
     note_surfels();
-    if (!changed && caching_) return;
+    if (due) take_surfels(afresh ? nullptr : &motion);
+}
 
+/// Hands the surfels to the model. `motion` as for ProbeModel::take_world().
+void ProbeVolume::take_surfels(const Motion* motion) {
     const Stopwatch lighting;
-    setup_.model->take_world(stage_->tracer, cache_, afresh ? nullptr : &motion);
+    setup_.model->take_world(stage_->tracer, cache_, motion);
     setup_.model->take_surfels(cache_);
     settled_ = false;
     figures_.light_ms += lighting.ms();
+}
+
+/// Re-places the surfels whose turn it is, in a world at rest.
+void ProbeVolume::serve_waiting() {
+    const Motion rest = motion_between(stage_->world, stage_->world);
+    cache_.refresh(stage_->tracer, rest);
+    note_surfels();
+    take_surfels(&rest);
 }
 
 /// Adds what the cache's last call did to the frame's figures.
@@ -75,6 +94,8 @@ void ProbeVolume::note_surfels() {
     figures_.probes = probe_count(grid_);
     figures_.surfels = cache_.surfels().size();
     figures_.surfels_hit = cache_.hits();
+    figures_.surfels_waiting = cache_.waiting();
+    figures_.oldest_wait = cache_.oldest_wait();
 }
 
 void ProbeVolume::turn_rays() {
@@ -83,20 +104,18 @@ void ProbeVolume::turn_rays() {
                          model.weights());
     cache_.rebuild(stage_->tracer);
     note_surfels();
-    const Stopwatch lighting;
-    model.take_world(stage_->tracer, cache_, nullptr);
-    model.take_surfels(cache_);
-    figures_.light_ms += lighting.ms();
+    take_surfels(nullptr);
 }
 
 void ProbeVolume::update() {
     ++figures_.updates;
+    // The first update of a frame takes what move_to() placed.
+    if (figures_.updates > 1 && cache_.waiting() > 0) serve_waiting();
     if (settled_) {
         figures_.relative_change = 0.;
         figures_.converged = true;
         return;
     }
-    // The first update of a frame takes the rays that move_to() placed.
     if (setup_.model->turns_rays() && figures_.updates > 1) turn_rays();
     const Stopwatch watch;
     setup_.model->begin_update();
@@ -105,7 +124,7 @@ void ProbeVolume::update() {
     values_.swap(next_);
     settled_ = change.none && setup_.model->settles();
     figures_.relative_change = change.relative;
-    figures_.converged = change.relative < convergence_threshold;
+    figures_.converged = change.relative < convergence_threshold && cache_.waiting() == 0;
     figures_.light_ms += watch.ms();
 }
 

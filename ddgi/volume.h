@@ -24,7 +24,7 @@ class ProbeVolume {
     void move_to(int frame);
 
     /// One update of all probes, skipped if the last one changed no bit and no surfel has changed
-    /// since: it would change none either.
+    /// since: it would change none either. With a budget, each update of a frame has its own.
     void update();
 
     /// Updates until FrameFigures::converged, `most_updates` at most; a model that cannot converge,
@@ -43,6 +43,8 @@ class ProbeVolume {
 
     void turn_rays();
     void note_surfels();
+    void take_surfels(const Motion* motion);
+    void serve_waiting();
 
     const Scene& scene_;
     bool caching_;

@@ -45,13 +45,6 @@ std::vector<int> frames_played(const AnimationErrors& animation) {
     return played;
 }
 
-MovingError error_of(const Image& truth, const Image& picture) {
-    const compare::Comparison comparison = compare::compare_images(truth, picture, "indirect");
-    const double mse = comparison.metrics.rmse * comparison.metrics.rmse;
-    return {layer_mean(picture, "indirect") / layer_mean(truth, "indirect"),
-            comparison.metrics.rmse, comparison.noise ? comparison.noise->bias_mse : mse};
-}
-
 MovingModel play_model(const Scene& scene, const TitledOptions& model,
                        const AnimationErrors& animation, const std::vector<Image>& truths) {
     MovingModel moving{model.first, {}};
@@ -60,12 +53,19 @@ MovingModel play_model(const Scene& scene, const TitledOptions& model,
     ddgi::play(scene, played, model.second, [&](const ddgi::FrameFigures&, const Image& picture) {
         const std::size_t moved = ++updates - std::min<std::size_t>(updates, updates_to_settle);
         if (moved > 0 && moved % static_cast<std::size_t>(animation.updates) == 0)
-            moving.errors.push_back(error_of(truths[moving.errors.size()], picture));
+            moving.errors.push_back(moving_error(truths[moving.errors.size()], picture));
     });
     return moving;
 }
 
 }  // namespace
+
+MovingError moving_error(const Image& truth, const Image& picture) {
+    const compare::Comparison comparison = compare::compare_images(truth, picture, "indirect");
+    const double mse = comparison.metrics.rmse * comparison.metrics.rmse;
+    return {layer_mean(picture, "indirect") / layer_mean(truth, "indirect"),
+            comparison.metrics.rmse, comparison.noise ? comparison.noise->bias_mse : mse};
+}
 
 std::optional<std::pair<int, int>> moving_frames(const Scene& scene) {
     std::optional<std::pair<int, int>> range;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ddgi/render.h"
+#include "scenes/image.h"
 #include "scenes/scene.h"
 
 namespace plumbline::reports {
@@ -24,6 +25,9 @@ struct MovingError {
     double rmse;      ///< noise of the truth included
     double bias_mse;  ///< the truth's noise taken off: an estimate, which may be below 0
 };
+
+/// The error of `picture`, whose frame `truth` shows.
+MovingError moving_error(const Image& truth, const Image& picture);
 
 struct MovingModel {
     std::string title;

@@ -4,6 +4,7 @@
 namespace plumbline {
 
 void add_ablation_command(CLI::App& app);
+void add_budget_command(CLI::App& app);
 void add_cost_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
 void add_frontier_command(CLI::App& app);
@@ -15,6 +16,7 @@ void add_stress_command(CLI::App& app);
 
 void add_reports_commands(CLI::App& app) {
     add_ablation_command(app);
+    add_budget_command(app);
     add_cost_command(app);
     add_fit_command(app);
     add_frontier_command(app);

@@ -147,6 +147,30 @@ void check_random_animation(DdgiOptions options) {
     CHECK(kept > 0);
 }
 
+/// Plays frames with a budget that is mostly spent, and at times lets all have their turn.
+void check_random_budget(DdgiOptions options) {
+    RandomMotion motion(Catch::rngSeed());
+    Scene scene = restless_room(motion);
+    options.budget = 40;
+    ProbeVolume tight(scene, options);
+    options.budget = std::nullopt;
+    options.cache = false;
+    ProbeVolume afresh(scene, options);
+    std::uint64_t waited = 0;
+    for (int frame = 0; frame < frames; ++frame) {
+        INFO(options.model << ", seed " << Catch::rngSeed() << ", frame " << frame);
+        move_light(scene, motion);
+        tight.move_to(frame);
+        tight.update();
+        waited = std::max(waited, tight.figures().surfels_waiting);
+        if (!motion.one_in(20)) continue;
+        while (tight.figures().surfels_waiting > 0) tight.update();
+        afresh.move_to(frame);
+        REQUIRE(same_surfels(tight.cache().surfels(), afresh.cache().surfels()));
+    }
+    CHECK(waited > 40);
+}
+
 }  // namespace
 
 TEST_CASE("a thousand random frames are the same bytes with the cache: conserving", "[ddgi]") {
@@ -168,4 +192,15 @@ TEST_CASE("a thousand random frames are the same bytes with the cache: steps", "
     options.model = "steps";
     options.set = {{"solidAngle", 1.}, {"firstSurface", 1.}, {"multiBounce", 1.}};
     check_random_animation(options);
+}
+
+TEST_CASE("whatever moved, once all had their turn no surfel tells of the budget", "[budget]") {
+    DdgiOptions options;
+    options.surfels = 16;
+    SECTION("conserving") {}
+    SECTION("thesis") {
+        options.model = "thesis";
+        options.surfels = 64;
+    }
+    check_random_budget(options);
 }

@@ -134,4 +134,16 @@ bool same_bytes(const Image& a, const Image& b) {
     });
 }
 
+bool same_surfels(const Surfels& a, const Surfels& b) {
+    if (a.distance != b.distance || a.emission != b.emission) return false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!a.hit(i)) continue;
+        if (a.position[i] != b.position[i] || a.n[i] != b.n[i] || a.object[i] != b.object[i] ||
+            a.albedo[i] != b.albedo[i] || a.direct[i] != b.direct[i])
+            return false;
+        if (!a.seen.empty() && a.seen[i] != b.seen[i]) return false;
+    }
+    return true;
+}
+
 }  // namespace plumbline::ddgi

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ddgi/probe_options.h"
+#include "ddgi/surfels.h"
 #include "scenes/image.h"
 #include "scenes/scene.h"
 
@@ -26,5 +27,8 @@ double mean(const Image& image, const std::string& layer);
 
 /// Whether all channels of both have the same names and the same bytes.
 bool same_bytes(const Image& a, const Image& b);
+
+/// Whether all that is meaningful of the surfels of both has the same bits.
+bool same_surfels(const Surfels& a, const Surfels& b);
 
 }  // namespace plumbline::ddgi

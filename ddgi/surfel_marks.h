@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plumbline::ddgi {
+
+/// What is to be done to a surfel, or was done: a bit of a set.
+enum Mark : std::uint8_t {
+    Placed = 1,  ///< its ray is traced; the others follow
+    Lit = 2,     ///< light is measured at it
+    Seen = 4,    ///< it looks which probes around it can be seen
+};
+
+constexpr std::uint8_t all_marks = Placed | Lit | Seen;
+
+/// A set of Mark for each surfel and, so that what nothing touches is passed over, their union for
+/// each probe. Threads may work on different probes.
+class SurfelMarks {
+ public:
+    SurfelMarks(std::size_t probes, std::size_t per_probe)
+        : per_probe_(per_probe), marks_(probes * per_probe), probe_marks_(probes) {}
+
+    std::size_t probes() const { return probe_marks_.size(); }
+    std::size_t per_probe() const { return per_probe_; }
+
+    std::uint8_t of(std::size_t surfel) const { return marks_[surfel]; }
+    std::uint8_t of_probe(std::size_t probe) const { return probe_marks_[probe]; }
+    /// Those of a probe's surfels, to be changed: join() it then.
+    std::span<std::uint8_t> rays_of(std::size_t probe) {
+        return {&marks_[probe * per_probe_], per_probe_};
+    }
+    void add(std::size_t surfel, std::uint8_t marks) {
+        marks_[surfel] |= marks;
+        probe_marks_[surfel / per_probe_] |= marks;
+    }
+    void drop(std::size_t surfel, Mark mark) {
+        marks_[surfel] = static_cast<std::uint8_t>(marks_[surfel] & ~mark);
+    }
+    /// Brings the union of a probe up to date.
+    void join(std::size_t probe);
+    /// ... and of all that are marked.
+    void join();
+
+    void set_all();
+    void clear();
+
+    /// Calls body(surfels) with batches of the surfels that have this mark, in parallel.
+    template <typename Body>
+    void for_marked(Mark mark, const Body& body) const {
+        constexpr std::size_t most_at_once = 256;
+        const tbb::blocked_range<std::size_t> all(0, probes());
+        tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
+            std::vector<std::size_t> batch;
+            for (std::size_t probe = range.begin(); probe < range.end(); ++probe) {
+                if ((probe_marks_[probe] & mark) == 0) continue;
+                for (std::size_t i = probe * per_probe_; i < (probe + 1) * per_probe_; ++i) {
+                    if ((marks_[i] & mark) != 0) batch.push_back(i);
+                }
+                if (batch.size() < most_at_once) continue;
+                body(std::span<const std::size_t>(batch));
+                batch.clear();
+            }
+            if (!batch.empty()) body(std::span<const std::size_t>(batch));
+        });
+    }
+
+ private:
+    std::size_t per_probe_;
+    std::vector<std::uint8_t> marks_;
+    std::vector<std::uint8_t> probe_marks_;
+};
+
+/// Calls body(probe) for each probe, in parallel.
+template <typename Body>
+void for_probes(std::size_t probes, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, probes),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+                      });
+}
+
+}  // namespace plumbline::ddgi
