@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pathtracer/hemisphere.h"
+#include "pathtracer/light_choice.h"
 #include "pathtracer/lights.h"
 #include "pathtracer/path_options.h"
 
@@ -11,6 +12,8 @@ namespace plumbline::pathtracer {
 inline constexpr Effects aimed_at = Effects{} | Effect::EmitterSampling | Effect::EnvironmentImage;
 /// What shadow rays are traced for.
 inline constexpr Effects sampled = any_light | aimed_at;
+/// Whose samples depend on a path's own numbers, so that each path draws them by itself.
+inline constexpr Effects drawn_singly = special_lights | aimed_at | Effect::LightChoice;
 
 /// The share of one technique, of density `pdf`, in the light that another of density `other` finds
 /// too: what each finds, weighted so, adds up to all light.
@@ -38,6 +41,21 @@ inline Spectrum aimed_irradiance(Techniques techniques, const Spectrum& L, float
     const float other = techniques == Techniques::Both ? pdf_cosine_hemisphere(cosine) : 0.f;
     // L cos / pdf, times the balance heuristic's pdf / (pdf + other).
     return L * (cosine / (pdf + other));
+}
+
+/// One of `lights`, over the probability of choosing it. Draws as many numbers for any light, so
+/// that what follows stays stratified.
+inline SampledLight sample_chosen_light(const LightChoice& lights, const glm::vec3& position,
+                                        const glm::vec3& n, Sampler& sampler) {
+    const float choice = sampler.next_1d();
+    const glm::vec2 u = sampler.next_2d();
+    const auto chosen = lights.choose(position, n, choice);
+    if (!chosen) return {};
+    const PointLight& light = *chosen->light;
+    SampledLight sample = light.radius > 0.f ? sample_sphere_light(light, position, n, u)
+                                             : sample_point_light(light, position, n);
+    sample.E /= chosen->probability;
+    return sample;
 }
 
 /// Aims at an emitter from `position` on a surface of unit normal `n`. Draws numbers if there are
@@ -92,8 +110,8 @@ Spectrum met_emission(const Spectrum& Le, const PathOptions& options, int scatte
     return Le;
 }
 
-/// Calls add(sample) for each light that shines on the side `n` of the surface at `position`, and
-/// for what is aimed at; shadow rays start at `origin`.
+/// Calls add(sample) for each light, or the one chosen, that shines on the side `n` of the surface
+/// at `position`, and for what is aimed at; shadow rays start at `origin`.
 template <Effects F, typename Add>
 void sample_direct_light(const World& world, const PathOptions& options, const glm::vec3& position,
                          const glm::vec3& n, const glm::vec3& origin, Sampler& sampler,
@@ -101,8 +119,17 @@ void sample_direct_light(const World& world, const PathOptions& options, const g
     const auto add_lit = [&](const SampledLight& sample) {
         if (sample.E != Spectrum(0.f)) add(sample);
     };
+    const bool by_choice = has(F, Effect::LightChoice) && options.lights != nullptr;
+    if constexpr (has(F, Effect::LightChoice)) {
+        if (by_choice) add_lit(sample_chosen_light(*options.lights, position, n, sampler));
+    }
     if constexpr (has_any(F, any_light)) {
-        sample_lights<F>(world, position, n, origin, sampler, add_lit);
+        if (!by_choice) sample_lights<F>(world, position, n, sampler, add_lit);
+    }
+    if constexpr (has(F, Effect::DirectionalLights)) {
+        for (const DirectionalLight& light : world.directional_lights) {
+            add_lit(sample_directional_light(light, world.reach, origin, n));
+        }
     }
     if constexpr (has(F, Effect::EmitterSampling)) {
         add_lit(sample_emitters(options, position, n, sampler));

@@ -10,14 +10,14 @@ namespace plumbline::pathtracer {
 
 /// The sets of effects that the path tracer is compiled for, each before those that cover it.
 /// Plain point lights have kernels of their own; all other lights share theirs. Aiming at emitters
-/// needs emission. A picture of the environment costs so much more than what else a scene may lack
-/// that one kernel serves all scenes that have one.
+/// needs emission. A picture of the environment, or a choice among many lights, costs so much more
+/// than what else a scene may lack that one kernel serves all scenes that have one.
 inline constexpr auto kernels = [] {
     constexpr std::array lights{Effects{}, Effects{} | Effect::PointLights, any_light};
     constexpr std::array emission{Effects{}, Effects{} | Effect::Emission,
                                   Effects{} | Effect::Emission | Effect::EmitterSampling};
     constexpr std::array environment{Effects{}, Effects{} | Effect::Environment};
-    std::array<Effects, lights.size() * emission.size() * environment.size() + 1> sets{};
+    std::array<Effects, lights.size() * emission.size() * environment.size() + 2> sets{};
     std::size_t i = 0;
     for (const Effects from_lights : lights) {
         for (const Effects from_surfaces : emission) {
@@ -27,6 +27,7 @@ inline constexpr auto kernels = [] {
         }
     }
     sets[i] = sets[i - 1] | Effect::EnvironmentImage;
+    sets[i + 1] = sets[i] | Effect::LightChoice;
     return sets;
 }();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pathtracer/light_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -23,8 +24,12 @@ float LightTree::importance(const Node& node, const glm::vec3& x, const glm::vec
     const glm::vec3 way = node.center - x;
     const float d2 = glm::dot(way, way);
     const float r2 = node.radius * node.radius;
+    // So large only next to a light without size; infinity would make probabilities NaN.
+    constexpr float most = 1e37f;
     // Inside the ball anything may arrive from anywhere, as from the distance of its radius.
-    if (d2 <= r2) return node.power / glm::max(r2, 1e-30f);
+    if (d2 <= r2) {
+        return glm::min(node.power / glm::max(r2, 1e-30f) + node.constant_power, most);
+    }
     const glm::vec3 wi = way / std::sqrt(d2);
     // The angle under which the ball is seen: no light of the node is off `wi` by more.
     const float sin_ball = std::sqrt(r2 / d2);
@@ -40,8 +45,9 @@ float LightTree::importance(const Node& node, const glm::vec3& x, const glm::vec
     const float cos_off = cos_of_difference(sin_axis, cos_axis, node.sin_normals, node.cos_normals);
     const float sin_off = sin_of_difference(sin_axis, cos_axis, node.sin_normals, node.cos_normals);
     const float cos_emitter = cos_of_difference(sin_off, cos_off, sin_ball, cos_ball);
-    if (cos_emitter <= 0.f) return 0.f;
-    return node.power * cos_receiver * cos_emitter / d2;
+    if (cos_emitter <= node.cos_emission) return 0.f;
+    const float cosines = cos_receiver * cos_emitter;
+    return glm::min(node.power * cosines / d2 + node.constant_power * cosines, most);
 }
 
 std::optional<float> LightTree::first_child(const Node& node, std::uint32_t index,
@@ -54,6 +60,7 @@ std::optional<float> LightTree::first_child(const Node& node, std::uint32_t inde
 
 std::optional<LightTree::Choice> LightTree::choose(const glm::vec3& x, const glm::vec3& n,
                                                    float u) const {
+    if (nodes_.empty()) return std::nullopt;
     std::uint32_t index = 0;
     float probability = 1.f;
     while (!nodes_[index].leaf) {
@@ -86,6 +93,16 @@ float LightTree::probability(std::uint32_t light, const glm::vec3& x, const glm:
         index = parent;
     }
     return probability;
+}
+
+int LightTree::depth() const {
+    int deepest = 0;
+    for (std::uint32_t index : leaves_) {
+        int depth = 0;
+        for (; index != 0; index = nodes_[index].parent) ++depth;
+        deepest = std::max(deepest, depth);
+    }
+    return deepest;
 }
 
 }  // namespace plumbline::pathtracer

@@ -19,12 +19,16 @@ struct DirectionCone {
 DirectionCone joined(const DirectionCone& a, const DirectionCone& b);
 
 /// Where light comes from, for choosing: a box that holds it, its power, and a cone that holds the
-/// normals of its surfaces, from which they shine up to 90 degrees away.
+/// normals of its surfaces, from which they shine up to 90 degrees away, or less.
 struct LightBounds {
     Bounds box;
     DirectionCone normals;
     float power = 0.f;  ///< any unit, the same for all lights
     bool two_sided = false;
+    /// Of light that does not fall off with distance: as much as `power` brings from distance 1.
+    float constant_power = 0.f;
+    /// Light leaves a normal at angles of larger cosines than this alone.
+    float cos_emission = 0.f;
 };
 
 /// Chooses one of many lights for a surface point with a probability near its share of the light
@@ -45,6 +49,9 @@ class LightTree {
     /// The probability with which choose() gives `light`.
     float probability(std::uint32_t light, const glm::vec3& x, const glm::vec3& n) const;
 
+    /// Decisions that choose() takes at most.
+    int depth() const;
+
  private:
     struct Node {
         glm::vec3 center;  ///< of a ball around the box
@@ -52,7 +59,9 @@ class LightTree {
         glm::vec3 axis;
         float cos_normals;  ///< of the cone of normals
         float sin_normals;
+        float cos_emission;
         float power;
+        float constant_power;
         std::uint32_t second;  ///< of an inner node: its second child; the first is next to it
         std::uint32_t parent;
         std::uint32_t light;  ///< of a leaf

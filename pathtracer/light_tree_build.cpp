@@ -21,14 +21,18 @@ float angle_between(const glm::vec3& a, const glm::vec3& b) {
     return static_cast<float>(std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y)));
 }
 
+bool dark(const LightBounds& light) { return light.power + light.constant_power == 0.f; }
+
 LightBounds joined(const LightBounds& a, const LightBounds& b) {
-    if (a.power == 0.f) return b;
-    if (b.power == 0.f) return a;
+    if (dark(a)) return b;
+    if (dark(b)) return a;
     LightBounds all = a;
     all.box.extend(b.box);
     all.normals = joined(a.normals, b.normals);
     all.power += b.power;
     all.two_sided = a.two_sided || b.two_sided;
+    all.constant_power += b.constant_power;
+    all.cos_emission = std::min(a.cos_emission, b.cos_emission);
     return all;
 }
 
@@ -43,12 +47,6 @@ float directions(const DirectionCone& normals) {
     return 2.f * pi * (1.f - std::cos(o)) + pi / 2.f *
                                                 (2.f * w * std::sin(o) - std::cos(o - 2.f * w) -
                                                  2.f * o * std::sin(o) + std::cos(o));
-}
-
-/// The surface area orientation heuristic [Conty Estevez and Kulla 2018, eq. 2], without the
-/// parent's terms, which are the same for all its splits.
-float cost(const LightBounds& lights) {
-    return lights.power * directions(lights.normals) * area(lights.box.size());
 }
 
 glm::vec3 center(const LightBounds& light) { return (light.box.lower + light.box.upper) / 2.f; }
@@ -73,7 +71,11 @@ class LightTree::Builder {
         : lights_(lights), tree_(tree), order_(lights.size()) {
         std::iota(order_.begin(), order_.end(), 0u);
         tree_.leaves_.resize(lights.size());
-        if (!lights.empty()) add(order_, 0);
+        if (lights.empty()) return;
+        Bounds all;
+        for (const LightBounds& light : lights) all.extend(center(light));
+        typical_d2_ = glm::dot(all.size(), all.size()) / 4.f;
+        add(order_, 0);
     }
 
  private:
@@ -106,7 +108,9 @@ class LightTree::Builder {
         node.axis = lights.normals.axis;
         node.cos_normals = std::cos(lights.normals.angle);
         node.sin_normals = std::sin(std::min(lights.normals.angle, pi));
+        node.cos_emission = lights.cos_emission;
         node.power = lights.power;
+        node.constant_power = lights.constant_power;
         node.two_sided = lights.two_sided;
         node.parent = parent;
         return node;
@@ -117,6 +121,7 @@ class LightTree::Builder {
         Bounds centers;
         for (const std::uint32_t light : range) centers.extend(center(lights_[light]));
         const glm::vec3 size = all.box.size();
+        const bool line = area(size) == 0.f;
         float least = std::numeric_limits<float>::infinity();
         int best_axis = -1, best_bucket = 0;
         for (int axis = 0; axis < 3; ++axis) {
@@ -125,7 +130,7 @@ class LightTree::Builder {
             const float stretch = max_component(size) / size[axis];
             const std::array<LightBounds, buckets> in = sorted_into(range, centers, axis);
             for (int last = 0; last + 1 < buckets; ++last) {
-                const float candidate = stretch * split_cost(in, last);
+                const float candidate = stretch * split_cost(in, last, line);
                 if (candidate < least) {
                     least = candidate;
                     best_axis = axis;
@@ -159,21 +164,29 @@ class LightTree::Builder {
     }
 
     /// Of a split after bucket `last`; infinite if a side is empty.
-    static float split_cost(const std::array<LightBounds, buckets>& in, int last) {
+    float split_cost(const std::array<LightBounds, buckets>& in, int last, bool line) const {
         LightBounds first, second;
         for (int i = 0; i < buckets; ++i) {
             LightBounds& side = i <= last ? first : second;
             side = joined(side, in[static_cast<std::size_t>(i)]);
         }
-        if (first.power == 0.f || second.power == 0.f) {
-            return std::numeric_limits<float>::infinity();
-        }
-        return cost(first) + cost(second);
+        if (dark(first) || dark(second)) return std::numeric_limits<float>::infinity();
+        return cost(first, line) + cost(second, line);
+    }
+
+    /// The surface area orientation heuristic [Conty Estevez and Kulla 2018, eq. 2], without the
+    /// parent's terms, which are the same for all its splits; by length where all lie on a line,
+    /// and no area could tell splits apart.
+    float cost(const LightBounds& lights, bool line) const {
+        const glm::vec3 size = lights.box.size();
+        return (lights.power + lights.constant_power * typical_d2_) * directions(lights.normals) *
+               (line ? max_component(size) : area(size));
     }
 
     const std::vector<LightBounds>& lights_;
     LightTree& tree_;
     std::vector<std::uint32_t> order_;
+    float typical_d2_ = 0.f;  // from the middle of all lights to the farthest
 };
 
 LightTree::LightTree(const std::vector<LightBounds>& lights) { Builder(lights, *this); }

@@ -66,27 +66,19 @@ inline SampledLight sample_directional_light(const DirectionalLight& light, floa
     return {origin - reach * light.direction, light.irradiance * cosine};
 }
 
-/// Calls add(sample) for each light of the scene that shines on the side `n` of the surface at
-/// `position`; shadow rays start at `origin`. Draws numbers for lights with size alone.
+/// Calls add(sample) for each point, sphere and spot light, as it shines on the side `n` of the
+/// surface at `position`. Draws numbers for lights with size alone.
 template <Effects F, typename Add>
 void sample_lights(const World& world, const glm::vec3& position, const glm::vec3& n,
-                   const glm::vec3& origin, Sampler& sampler, const Add& add) {
-    const auto add_light = [&](const SampledLight& sample) {
-        if (sample.E != Spectrum(0.f)) add(sample);
-    };
+                   Sampler& sampler, const Add& add) {
     for (const PointLight& light : world.lights) {
         if constexpr (has(F, Effect::SphereLights)) {
             if (light.radius > 0.f) {
-                add_light(sample_sphere_light(light, position, n, sampler.next_2d()));
+                add(sample_sphere_light(light, position, n, sampler.next_2d()));
                 continue;
             }
         }
-        add_light(sample_point_light(light, position, n));
-    }
-    if constexpr (has(F, Effect::DirectionalLights)) {
-        for (const DirectionalLight& light : world.directional_lights) {
-            add_light(sample_directional_light(light, world.reach, origin, n));
-        }
+        add(sample_point_light(light, position, n));
     }
 }
 

@@ -40,6 +40,7 @@ Passes::Passes(const RayTracer& tracer, Effects effects, const PathOptions& opti
       effects_(effects),
       emitters_(has(effects, Effect::EmitterSampling) ? new Emitters(tracer.world()) : nullptr),
       environment_(tracer.world().environment_image ? new EnvironmentMap(tracer.world()) : nullptr),
+      lights_(has(effects, Effect::LightChoice) ? new LightChoice(tracer.world()) : nullptr),
       options_(options),
       seed_(seed),
       camera_rays_(tracer.world().camera),
@@ -49,6 +50,7 @@ Passes::Passes(const RayTracer& tracer, Effects effects, const PathOptions& opti
     const Camera& camera = tracer.world().camera;
     if (emitters_ && !emitters_->empty()) options_.emitters = emitters_.get();
     options_.environment = environment_.get();
+    options_.lights = lights_.get();
     gathered_.pixels.resize(std::size_t(camera.width) * std::size_t(camera.height));
 }
 

@@ -84,6 +84,7 @@ class Passes {
     Effects effects_;
     std::unique_ptr<const Emitters> emitters_;           ///< null unless the effects aim at them
     std::unique_ptr<const EnvironmentMap> environment_;  ///< null without a picture of it
+    std::unique_ptr<const LightChoice> lights_;          ///< null unless the effects choose
     PathOptions options_;
     std::uint64_t seed_;
     CameraRays camera_rays_;

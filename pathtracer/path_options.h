@@ -5,6 +5,7 @@
 
 #include "pathtracer/emitters.h"
 #include "pathtracer/environment_map.h"
+#include "pathtracer/light_choice.h"
 
 namespace plumbline::pathtracer {
 
@@ -30,6 +31,8 @@ struct PathOptions {
     int roulette_start = 5;
     /// Throughput below which roulette becomes likelier to end a path the less it carries.
     float sure_throughput = .25f;
+    /// What kernels with Effect::LightChoice choose among; null: every light counts everywhere.
+    const LightChoice* lights = nullptr;
 };
 
 }  // namespace plumbline::pathtracer

@@ -16,11 +16,12 @@ namespace plumbline::pathtracer {
 /// [Laine et al. 2013].
 ///
 /// Unbiased for the radiance that is scattered at most `options.max_scatterings` times. Lights are
-/// sampled at every surface, emitters with Effect::EmitterSampling, and the environment with
-/// Effect::EnvironmentImage; emission and environment count where a path meets them. What a path
-/// finds depends on its ray and its sampler alone, not on the others in the wave. Code for an
-/// effect outside F is compiled out; F must cover effects_of() the scene. `Tracer` is a RayTracer,
-/// or answers like one. Memory is kept from wave to wave.
+/// sampled at every surface, or one of them with Effect::LightChoice, emitters with
+/// Effect::EmitterSampling, and the environment with Effect::EnvironmentImage; emission and
+/// environment count where a path meets them. What a path finds depends on its ray and its sampler
+/// alone, not on the others in the wave. Code for an effect outside F is compiled out; F must cover
+/// effects_of() the scene. `Tracer` is a RayTracer, or answers like one. Memory is kept from wave
+/// to wave.
 template <Effects F, typename Tracer>
 class Wave {
  public:
@@ -138,7 +139,7 @@ class Wave {
 
     /// Samples light that would be scattered `scatterings` times.
     void sample_light(int scatterings, WalkLanes& walks) {
-        if constexpr (!has_any(F, special_lights | aimed_at)) {
+        if constexpr (!has_any(F, drawn_singly)) {
             for (const PointLight& light : world_.lights) {
                 shine(EvenLight(light), hits_, walks.beta, light_);
                 for (std::size_t i = 0; i < hits_.count; ++i) {

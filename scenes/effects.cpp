@@ -76,6 +76,22 @@ EffectReason lights(const Scene& scene, Effect kind, const std::string& name) {
     return {name + "s", false, "no " + name + " with power: no shadow ray is traced to one"};
 }
 
+/// Up to so many point, sphere and spot lights, a shadow ray to each brings more than it takes, as
+/// measured by the benchmark of lights.
+constexpr std::size_t few_lights = 8;
+
+EffectReason light_choice(const Scene& scene) {
+    const std::string name = "choosing among lights";
+    const std::size_t shining = shining_lights(scene, Effect::PointLights) +
+                                shining_lights(scene, Effect::SphereLights) +
+                                shining_lights(scene, Effect::SpotLights);
+    if (shining == 0) return {name, false, "no point, sphere or spot light with power"};
+    const std::string count = counted(shining, "point, sphere or spot light");
+    if (shining <= few_lights) return {name, false, count + ": each is sampled at every surface"};
+    return {name, true,
+            count + ": at every surface a tree chooses one, by what it may bring there"};
+}
+
 EffectReason emission(const Scene& scene) {
     const std::size_t emitting = emitting_materials(scene);
     if (emitting == 0) {
@@ -199,6 +215,7 @@ Effects effects_of(const Scene& scene) {
                               Effect::DirectionalLights}) {
         if (shining_lights(scene, kind) > 0) effects = effects | kind;
     }
+    if (light_choice(scene).simulated) effects = effects | Effect::LightChoice;
     if (emitting_materials(scene) > 0) effects = effects | Effect::Emission;
     if (emitter_sampling(scene).simulated) effects = effects | Effect::EmitterSampling;
     if (!dark(scene.environment)) effects = effects | Effect::Environment;
@@ -211,6 +228,7 @@ std::vector<EffectReason> effect_reasons(const Scene& scene) {
             lights(scene, Effect::SphereLights, "sphere light"),
             lights(scene, Effect::SpotLights, "spot light"),
             lights(scene, Effect::DirectionalLights, "directional light"),
+            light_choice(scene),
             emission(scene),
             emitter_sampling(scene),
             environment(scene),

@@ -19,6 +19,7 @@ enum class Effect : unsigned {
     DirectionalLights = 1u << 5,
     EmitterSampling = 1u << 6,   ///< aiming at surfaces that emit
     EnvironmentImage = 1u << 7,  ///< of unlike pixels, aimed at
+    LightChoice = 1u << 8,       ///< one point, spot or sphere light at a time in place of all
 };
 
 /// A set of Effect, usable as a template argument.

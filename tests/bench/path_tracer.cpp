@@ -53,8 +53,9 @@ class RecordingTracer {
 };
 
 std::string names_of(Effects effects) {
-    constexpr std::array names{"point", "emission",    "environment", "sphere",
-                               "spot",  "directional", "aim emitter", "environment image"};
+    constexpr std::array names{"point",       "emission",    "environment", "sphere",
+                               "spot",        "directional", "aim emitter", "environment image",
+                               "light choice"};
     std::string all;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if ((effects.bits >> i & 1u) == 0) continue;

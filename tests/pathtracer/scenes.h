@@ -9,7 +9,8 @@
 namespace plumbline::pathtracer::test {
 
 inline constexpr Effects all_effects = any_light | Effect::Emission | Effect::EmitterSampling |
-                                       Effect::Environment | Effect::EnvironmentImage;
+                                       Effect::Environment | Effect::EnvironmentImage |
+                                       Effect::LightChoice;
 
 using pathtracer::add_material;
 using pathtracer::add_object;

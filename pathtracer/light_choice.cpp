@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pathtracer/light_choice.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace plumbline::pathtracer {
+namespace {
+
+float mean(const Spectrum& L) { return (L.r + L.g + L.b) / 3.f; }
+
+}  // namespace
+
+LightBounds light_bounds(const PointLight& light) {
+    LightBounds bounds;
+    bounds.box = {light.position - light.radius, light.position + light.radius};
+    if (light.falloff == Falloff::InverseSquare) {
+        bounds.power = mean(light.intensity);
+    } else {
+        bounds.constant_power = std::numbers::pi_v<float> * mean(light.white_radiance);
+    }
+    if (light.cone) {
+        // Whole up to the inner angle: as if normals went so far.
+        bounds.normals = {light.cone->direction, light.cone->inner_angle};
+        // Angles come from cosines here and in spot_attenuation(), which near 0 and 180 degrees
+        // have half of a float's digits left.
+        constexpr float rounding = 2e-3f;
+        bounds.cos_emission =
+            glm::max(std::cos(light.cone->outer_angle - light.cone->inner_angle + rounding), 0.f);
+    }
+    return bounds;
+}
+
+LightChoice::LightChoice(const World& world)
+    : tree_([&] {
+          std::vector<LightBounds> bounds;
+          for (const PointLight& light : world.lights) {
+              const LightBounds its = light_bounds(light);
+              if (its.power + its.constant_power == 0.f) continue;
+              lights_.push_back(&light);
+              bounds.push_back(its);
+          }
+          return LightTree(bounds);
+      }()) {}
+
+std::optional<LightChoice::Choice> LightChoice::choose(const glm::vec3& x, const glm::vec3& n,
+                                                       float u) const {
+    const auto chosen = tree_.choose(x, n, u);
+    if (!chosen) return std::nullopt;
+    return Choice{lights_[chosen->light], chosen->probability};
+}
+
+}  // namespace plumbline::pathtracer
