@@ -59,12 +59,43 @@ double z_of(double sum, double sum2, int n, double expected) {
 std::vector<PixelEstimate> pixels_of(const Stage& stage, Techniques techniques,
                                      std::uint64_t seed) {
     Progress::silence();
-    constexpr int spp = 64 * Sampler::batch_size;
+    constexpr int spp = 256 * Sampler::batch_size;
     constexpr Effects effects = Effects{} | Effect::Emission | Effect::EmitterSampling;
     Passes passes(stage.tracer, effects, {.techniques = techniques}, seed);
     Progress progress("test", passes.tiles());
     passes.add({0, spp, Sampler::batch_size}, progress);
     return passes.pixels();
+}
+
+glm::dvec3 mean_of(const PixelEstimate& pixel) {
+    return pixel.sums.radiance() / double(pixel.sums.samples);
+}
+
+/// The largest deviation of a pixel and channel, in standard errors.
+double worst_deviation(const std::vector<PixelEstimate>& a, const std::vector<PixelEstimate>& b) {
+    double largest = 0.;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const glm::dvec3 z = (mean_of(a[i]) - mean_of(b[i])) /
+                             glm::sqrt(a[i].radiance_variance() + b[i].radiance_variance());
+        for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(z[c]));
+    }
+    return largest;
+}
+
+/// That of the mean of the whole picture's green channel.
+double deviation_of_all(const std::vector<PixelEstimate>& a, const std::vector<PixelEstimate>& b) {
+    double difference = 0., variance = 0.;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        difference += mean_of(a[i]).y - mean_of(b[i]).y;
+        variance += a[i].radiance_variance().y + b[i].radiance_variance().y;
+    }
+    return difference / std::sqrt(variance);
+}
+
+double green_variance(const std::vector<PixelEstimate>& pixels) {
+    double sum = 0.;
+    for (const PixelEstimate& pixel : pixels) sum += pixel.radiance_variance().y;
+    return sum;
 }
 
 }  // namespace
@@ -143,37 +174,37 @@ TEST_CASE("aiming at a glowing rectangle and a glowing sphere gives their form f
 }
 
 TEST_CASE("aiming, meeting and both shared out agree in every pixel", "[pathtracer][statistics]") {
+    // With 64 batches, what meeting brings the dimmest pixels is far from normally distributed (one
+    // deviation of 14 in four seeds); with 256 as here, or 4000, no deviation passed the limit.
     const Stage stage(lit_floor());
     const auto both = pixels_of(stage, Techniques::Both, 1);
     const auto aiming = pixels_of(stage, Techniques::AimingOnly, 2);
     const auto meeting = pixels_of(stage, Techniques::MeetingOnly, 3);
-    const auto worst = [&](const std::vector<PixelEstimate>& a,
-                           const std::vector<PixelEstimate>& b) {
-        double largest = 0.;
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            for (int c = 0; c < 3; ++c) {
-                const double difference = a[i].sums.radiance()[c] / a[i].sums.samples -
-                                          b[i].sums.radiance()[c] / b[i].sums.samples;
-                const double variance = a[i].radiance_variance()[c] + b[i].radiance_variance()[c];
-                // Below this a pixel's paths meet an emitter a few dozen times at most, and what
-                // they bring together is far from normally distributed.
-                if (a[i].sums.radiance()[c] / a[i].sums.samples < .1) continue;
-                largest = std::max(largest, std::abs(difference) / std::sqrt(variance));
-            }
-        }
-        return largest;
-    };
     const double limit = ::plumbline::test::sidak_limit(3 * int(both.size()));
-    CHECK(worst(both, aiming) < limit);
-    CHECK(worst(both, meeting) < limit);
-    const auto variance = [](const std::vector<PixelEstimate>& pixels) {
-        double sum = 0.;
-        for (const PixelEstimate& pixel : pixels) sum += pixel.radiance_variance().y;
-        return sum;
-    };
-    CHECK(variance(both) < variance(meeting) / 2.);
-    // Estimated to a tenth or so each.
-    CHECK(variance(both) < 1.3 * variance(aiming));
+    CHECK(worst_deviation(both, aiming) < limit);
+    CHECK(worst_deviation(both, meeting) < limit);
+    CHECK(std::abs(deviation_of_all(both, aiming)) < 4.);
+    CHECK(std::abs(deviation_of_all(both, meeting)) < 4.);
+    CHECK(green_variance(both) < green_variance(meeting) / 2.);
+    // The two are nearly alike here, each known to a few percent.
+    CHECK(green_variance(both) < 1.1 * green_variance(aiming));
+}
+
+TEST_CASE("in the corner at a glowing wall both shared out agree with meeting in every pixel",
+          "[pathtracer][statistics]") {
+    // Where an emitter touches a surface, aiming alone has no finite variance: density by area over
+    // squared distance. Meeting has, and the balance heuristic bounds aiming's share by it.
+    Scene scene = test::mixed_room(12, 8);
+    scene.lights.clear();
+    scene.camera.eye = {-.6f, -.7f, .5f};
+    scene.camera.target = {-1.f, -1.f, .3f};
+    scene.camera.vertical_fov = .5f;
+    const Stage stage(scene);
+    const auto both = pixels_of(stage, Techniques::Both, 1);
+    const auto meeting = pixels_of(stage, Techniques::MeetingOnly, 3);
+    CHECK(worst_deviation(both, meeting) < ::plumbline::test::sidak_limit(3 * int(both.size())));
+    CHECK(std::abs(deviation_of_all(both, meeting)) < 4.);
+    CHECK(green_variance(both) < 1.2 * green_variance(meeting));
 }
 
 TEST_CASE("a furnace with aiming at its walls still shows the series Le (1 + rho + ...)",
