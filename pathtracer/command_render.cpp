@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "pathtracer/bounce_limit.h"
 #include "pathtracer/checkpoint.h"
 #include "pathtracer/commands.h"
 #include "pathtracer/interrupts.h"
@@ -12,6 +13,7 @@
 #include "pathtracer/render.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
+#include "scenes/inspection.h"
 #include "scenes/option_values.h"
 
 namespace plumbline::pathtracer {
@@ -33,7 +35,7 @@ void check_output(const std::string& output) {
                      "give a name that ends in .exr");
 }
 
-void print_json(const RenderResult& result) {
+void print_json(const Scene& scene, const BounceLimit& limit, const RenderResult& result) {
     nlohmann::ordered_json json;
     json["spp"] = result.spp;
     json["seconds"] = result.seconds;
@@ -46,6 +48,11 @@ void print_json(const RenderResult& result) {
     }
     json["width"] = result.image.width();
     json["height"] = result.image.height();
+    json["bounces"] = {
+        {"max_bounces", limit.max_bounces ? nlohmann::ordered_json(*limit.max_bounces) : nullptr},
+        {"why", limit.why}};
+    json["effects"] = effects_json(scene, true);
+    json["skipped"] = effects_json(scene, false);
     fmt::print("{}\n", json.dump());
 }
 
@@ -70,8 +77,8 @@ void run(Arguments& arguments) {
     CheckpointOptions& checkpoints = arguments.checkpoints;
     checkpoints.file = arguments.output + ".checkpoint";
     checkpoints.interrupted = [] { return Interrupts::received() != 0; };
-    const std::optional<RenderResult> result =
-        render(scene, frame_of(scene, arguments.common), arguments.render, checkpoints);
+    const int frame = frame_of(scene, arguments.common);
+    const std::optional<RenderResult> result = render(scene, frame, arguments.render, checkpoints);
     if (!result) {
         fmt::print(stderr, "{}: interrupted; the same command with --resume goes on from {}\n",
                    arguments.output, checkpoints.file.string());
@@ -82,7 +89,9 @@ void run(Arguments& arguments) {
     // Only now: a kill before this line costs at most what came after the last checkpoint.
     remove_checkpoint(checkpoints.file);
     tell(*result, arguments.output);
-    if (arguments.json) print_json(*result);
+    if (!arguments.json) return;
+    print_json(scene, bounce_limit(world_at(scene, frame), effects_of(scene), arguments.render),
+               *result);
 }
 
 }  // namespace

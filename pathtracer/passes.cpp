@@ -39,7 +39,9 @@ Passes::Passes(const RayTracer& tracer, Effects effects, const PathOptions& opti
     : tracer_(tracer),
       effects_(effects),
       emitters_(has(effects, Effect::EmitterSampling) ? new Emitters(tracer.world()) : nullptr),
-      environment_(tracer.world().environment_image ? new EnvironmentMap(tracer.world()) : nullptr),
+      environment_(has(effects, Effect::EnvironmentImage) && tracer.world().environment_image
+                       ? new EnvironmentMap(tracer.world())
+                       : nullptr),
       lights_(has(effects, Effect::LightChoice) ? new LightChoice(tracer.world()) : nullptr),
       options_(options),
       seed_(seed),

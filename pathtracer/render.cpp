@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "pathtracer/bounce_limit.h"
 #include "pathtracer/checkpoint.h"
 #include "pathtracer/passes.h"
 #include "pathtracer/picture.h"
@@ -31,12 +32,10 @@ class Stopwatch {
     Clock::time_point start_ = Clock::now();
 };
 
-PathOptions path_options(const RenderOptions& options) {
+PathOptions path_options(const RenderOptions& options, const BounceLimit& limit) {
     PathOptions path;
-    if (options.max_bounces) {
-        path.max_scatterings = *options.max_bounces + 1;
-        path.roulette = *options.max_bounces > longest_without_roulette;
-    }
+    if (limit.max_bounces) path.max_scatterings = *limit.max_bounces + 1;
+    if (options.max_bounces) path.roulette = *options.max_bounces > longest_without_roulette;
     return path;
 }
 
@@ -120,7 +119,9 @@ std::optional<RenderResult> render(const Scene& scene, int frame, const RenderOp
     Keeper keeper(checkpoints, provenance);
     const World world = world_at(scene, frame);
     const RayTracer tracer(world);
-    Passes passes(tracer, effects_of(scene), path_options(options), options.seed, options.shard);
+    const Effects effects = effects_of(scene);
+    const BounceLimit limit = bounce_limit(world, effects, options);
+    Passes passes(tracer, effects, path_options(options, limit), options.seed, options.shard);
     const Stopwatch watch(keeper.resume(passes) + setting_up.seconds());
     if (!add_all(passes, options, keeper, watch)) return std::nullopt;
 
@@ -134,6 +135,8 @@ std::optional<RenderResult> render(const Scene& scene, int frame, const RenderOp
     auto& metadata = result.image.metadata;
     metadata = provenance;
     metadata["plumbline:spp"] = std::to_string(result.spp);
+    metadata["plumbline:bounces"] =
+        limit.max_bounces ? fmt::format("{}: {}", *limit.max_bounces, limit.why) : limit.why;
     metadata["plumbline:seconds"] = fmt::format("{:.3f}", result.seconds);
     metadata["plumbline:depth"] = "distance along the view axis";
     metadata["plumbline:variance"] = by_batches

@@ -7,6 +7,7 @@
 #include <glm/gtc/constants.hpp>
 #include <set>
 
+#include "scenes/enclosure.h"
 #include "scenes/world.h"
 
 namespace plumbline {
@@ -144,7 +145,9 @@ EffectReason environment(const Scene& scene) {
     if (dark(scene.environment)) {
         return {"environment", false, "it is black: rays that leave the scene bring no light"};
     }
-    return {"environment", true, "it shines on rays that leave the scene"};
+    const Enclosure closed = enclosure(scene);
+    if (closed.proven) return {"environment", false, closed.why};
+    return {"environment", true, "it shines on rays that leave the scene; " + closed.why};
 }
 
 EffectReason environment_image(const Scene& scene) {
@@ -153,6 +156,7 @@ EffectReason environment_image(const Scene& scene) {
     if (!scene.environment_image) {
         return {name, false, "it is alike all around: scattered paths leave in proportion to it"};
     }
+    if (enclosure(scene).proven) return {name, false, "the scene is closed: no ray leaves it"};
     const Panorama& panorama = *scene.environment_image->panorama;
     return {
         name, true,
@@ -218,7 +222,7 @@ Effects effects_of(const Scene& scene) {
     if (light_choice(scene).simulated) effects = effects | Effect::LightChoice;
     if (emitting_materials(scene) > 0) effects = effects | Effect::Emission;
     if (emitter_sampling(scene).simulated) effects = effects | Effect::EmitterSampling;
-    if (!dark(scene.environment)) effects = effects | Effect::Environment;
+    if (environment(scene).simulated) effects = effects | Effect::Environment;
     if (environment_image(scene).simulated) effects = effects | Effect::EnvironmentImage;
     return effects;
 }

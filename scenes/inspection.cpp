@@ -58,7 +58,8 @@ OrderedJson materials_json(const Scene& scene) {
     return list;
 }
 
-/// The effects that are simulated (`simulated`), or those that are not.
+}  // namespace
+
 OrderedJson effects_json(const Scene& scene, bool simulated) {
     OrderedJson list = OrderedJson::array();
     for (const EffectReason& reason : effect_reasons(scene)) {
@@ -72,8 +73,6 @@ OrderedJson effects_json(const Scene& scene, bool simulated) {
     }
     return list;
 }
-
-}  // namespace
 
 OrderedJson inspection(const Scene& scene, int frame) {
     const World world = world_at(scene, frame);

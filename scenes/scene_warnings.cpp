@@ -8,6 +8,7 @@
 #include "scenes/effects.h"
 #include "scenes/inspection.h"
 #include "scenes/nearest_name.h"
+#include "scenes/nearest_point.h"
 
 namespace plumbline {
 namespace {
@@ -73,27 +74,6 @@ void warn_of_precision(const World& world, std::vector<std::string>& warnings) {
     }
 }
 
-/// The point of the triangle a, b, c nearest to `p` [Ericson 2005, section 5.1.5].
-glm::dvec3 nearest_point(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                         const glm::dvec3& c) {
-    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-    const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-    if (d1 <= 0. && d2 <= 0.) return a;
-    if (d3 >= 0. && d4 <= d3) return b;
-    if (d6 >= 0. && d5 <= d6) return c;
-    const double of_c = d1 * d4 - d3 * d2;
-    if (of_c <= 0. && d1 >= 0. && d3 <= 0.) return a + ab * (d1 / (d1 - d3));
-    const double of_b = d5 * d2 - d1 * d6;
-    if (of_b <= 0. && d2 >= 0. && d6 <= 0.) return a + ac * (d2 / (d2 - d6));
-    const double of_a = d3 * d6 - d5 * d4;
-    if (of_a <= 0. && d4 >= d3 && d5 >= d6) {
-        return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-    }
-    return a + (ab * of_b + ac * of_c) / (of_a + of_b + of_c);
-}
-
 /// The object with a surface within `reach` of the point, and how near that surface is.
 struct Near {
     int object;
@@ -150,7 +130,8 @@ std::vector<std::string> scene_warnings(const Scene& scene, const World& world) 
     warn_of_precision(world, warnings);
     warn_of_near_lights(world, warnings);
     if (effects_of(scene) == Effects{}) {
-        warnings.push_back("the picture is black: no light, no emitter, and a black environment");
+        warnings.push_back(
+            "the picture is black: no light, no emitter, and no light from an environment");
     }
     return warnings;
 }

@@ -13,13 +13,14 @@ constexpr int width = 12, height = 8, spp = 8;
 
 /// The radiance of every sample of a small picture, by the kernel for F.
 template <Effects F>
-std::vector<Spectrum> samples_of(const RayTracer& tracer, const PathOptions& options) {
+std::vector<Spectrum> samples_of(const RayTracer& tracer, const PathOptions& options,
+                                 std::uint64_t seed = 0) {
     Wave<F, RayTracer> wave(tracer, options);
     const CameraRays camera_rays(tracer.world().camera);
     for (int i = 0; i < width * height * spp; ++i) {
         const int x = i / spp % width;
         const int y = i / spp / width;
-        Sampler sampler(pixel_key(0, x, y), i % spp);
+        Sampler sampler(pixel_key(seed, x, y), i % spp);
         const glm::vec2 at = glm::vec2(x, y) + sampler.next_2d();
         wave.start(camera_rays.through(at.x, at.y), sampler);
     }
@@ -52,6 +53,31 @@ TEST_CASE("an effect that a built-in scene does not call for changes no bit of i
         CHECK(std::any_of(special.begin(), special.end(),
                           [](const Spectrum& L) { return L != Spectrum(0.f); }));
     }
+}
+
+TEST_CASE("the environment of a closed scene changes no bit of its picture", "[pathtracer]") {
+    Scene scene = GENERATE(load_scene("furnace"), load_scene("integrating-sphere"),
+                           test::mixed_room(width, height));
+    INFO(scene.name);
+    scene.environment = {3.f, 4.f, 5.f};
+    scene.camera.width = width;
+    scene.camera.height = height;
+    const Effects effects = effects_of(scene);
+    CHECK_FALSE(has(effects, Effect::Environment));
+    const World world = world_at(scene, 0);
+    REQUIRE(world.environment != Spectrum(0.f));
+    const RayTracer tracer(world);
+    with_effects(effects, [&]<Effects F>() {
+        CHECK_FALSE(has(F, Effect::Environment));
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            CHECK(samples_of<F>(tracer, {}, seed) ==
+                  samples_of<F | Effect::Environment>(tracer, {}, seed));
+        }
+    });
+    // With a wall less the environment counts again.
+    if (scene.objects.size() < 6) return;
+    scene.objects.erase(scene.objects.begin() + 1);
+    CHECK(has(effects_of(scene), Effect::Environment));
 }
 
 }  // namespace plumbline::pathtracer
