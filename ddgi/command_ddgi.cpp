@@ -60,6 +60,7 @@ nlohmann::ordered_json json_of(const DdgiResult& result, const DdgiOptions& opti
     json["probes"] = figures.probes;
     json["surfels"] = figures.surfels;
     json["surfels_hit"] = figures.surfels_hit;
+    json["surfels_lit"] = figures.surfels_lit;
     json["replaced"] = figures.replaced;
     if (options.budget) {
         json["budget"] = *options.budget;
@@ -127,6 +128,9 @@ void add_probe_options(CLI::App& command, Arguments& arguments) {
     command.add_option("--budget", options.budget,
                        "Surfels that an update re-places or lights again at most, those that wait "
                        "longest and changed most first (default: all)");
+    command.add_option("--share", options.share,
+                       "Width of cells, in spacings, in each of which light is measured once for "
+                       "all rays of all probes that end there (default: 0, at each ray's end)");
     command.add_option("--shadow-rays", options.shadow_rays,
                        "Shadow rays a pixel sample and light: the more, the smoother the soft "
                        "shadows of lights with a radius (default: 1)");

@@ -3,7 +3,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <atomic>
 #include <glm/gtc/constants.hpp>
 
 namespace plumbline::ddgi {
@@ -26,31 +25,31 @@ void ConservingModel::take_surfels(const SurfelCache& cache) {
     const bool afresh = cache_ == nullptr;
     cache_ = &cache;
     storage_->take_surfels(cache);
+    unfed_.take(cache, afresh);
     const Surfels& surfels = cache.surfels();
-    unfed_.resize(surfels.size());
     around_.resize(surfels.size());
-    std::atomic<bool> any_emits = false;
     tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
-        if (surfels.emission[i] != Spectrum(0.f)) any_emits = true;
         const glm::vec3& x = surfels.position[i];
+        if (!surfels.own_light(i)) return;
         if (!afresh && !cache.changed(i) && !weigher_.changed_at(x)) return;
-        unfed_[i] = surfels.emission[i];
-        if (!surfels.hit(i)) return;
-        unfed_[i] += surfels.albedo[i] / glm::pi<float>() * surfels.direct[i];
         const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[i];
         around_[i] = weigher_.weighted(x, surfels.n[i], seen);
     });
     emitted_.clear();
-    if (!any_emits) return;
+    if (!unfed_.any_emits()) return;
     emitted_.resize(probe_count(grid_) * 3 * storage_->bins());
     store(emitted_, [&](std::size_t i) { return surfels.emission[i]; });
 }
 
 void ConservingModel::update(std::span<const float> previous, std::span<float> next) const {
     const Surfels& surfels = cache_->surfels();
+    const auto irradiance_of = [&](std::size_t i) {
+        return storage_->surfel_irradiance(around_[i], previous, surfels, i);
+    };
+    const std::vector<Spectrum> shared = at_sources(surfels, irradiance_of);
     store(next, [&](std::size_t i) {
         if (!surfels.hit(i) || surfels.albedo[i] == Spectrum(0.f)) return unfed_[i];
-        const Spectrum E = storage_->surfel_irradiance(around_[i], previous, surfels, i);
+        const Spectrum E = shared.empty() ? irradiance_of(i) : shared[surfels.source[i]];
         return unfed_[i] + surfels.albedo[i] / glm::pi<float>() * E;
     });
 }

@@ -4,6 +4,7 @@
 #include "ddgi/angular_storage.h"
 #include "ddgi/model.h"
 #include "ddgi/probe_weigher.h"
+#include "ddgi/surfel_light.h"
 
 namespace plumbline::ddgi {
 
@@ -48,7 +49,7 @@ class ConservingModel final : public ProbeModel {
     ProbeWeigher weigher_;
     std::unique_ptr<AngularStorage> storage_;
     const SurfelCache* cache_ = nullptr;
-    std::vector<Spectrum> unfed_;          ///< radiance each surfel ray brings without any feedback
+    UnfedLight unfed_;
     std::vector<ProbeNeighbours> around_;  ///< what each surfel gathers from
     std::vector<float> emitted_;  ///< probe values of emission and environment; empty if none
 };

@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -71,18 +70,11 @@ void IrradianceModel::take_surfels(const SurfelCache& cache) {
     const bool afresh = cache_ == nullptr;
     cache_ = &cache;
     const Surfels& surfels = cache.surfels();
-    unfed_.resize(surfels.size());
+    unfed_.take(cache, afresh);
     around_.resize(surfels.size());
-    std::atomic<bool> any_emits = false;
-    tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
-        if (surfels.emission[i] != Spectrum(0.f)) any_emits = true;
-        if (!afresh && !cache.changed(i)) return;
-        unfed_[i] = surfels.emission[i];
-        if (surfels.hit(i)) unfed_[i] += surfels.albedo[i] / glm::pi<float>() * surfels.direct[i];
-    });
     if (!remembers()) {
         tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
-            if (!surfels.hit(i)) return;
+            if (!surfels.own_light(i)) return;
             const auto near = probe_neighbours(grid_, surfels.position[i]).probe;
             if (afresh || cache.changed(i) ||
                 std::ranges::any_of(near, [&](auto probe) { return distances_.changed(probe); }))
@@ -90,7 +82,7 @@ void IrradianceModel::take_surfels(const SurfelCache& cache) {
         });
     }
     emitted_.clear();
-    if (!any_emits) return;
+    if (!unfed_.any_emits()) return;
     emitted_.resize(probe_count(grid_) * 3 * texels_.size());
     tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
         gather(
@@ -105,7 +97,7 @@ void IrradianceModel::begin_update() {
     const Surfels& surfels = cache_->surfels();
     if (settings_.chebyshev != 0.) moments_.blend(distances_, surfels, back_shortening(), kept_);
     tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
-        if (surfels.hit(i)) weigh(i);
+        if (surfels.own_light(i)) weigh(i);
     });
 }
 
@@ -178,16 +170,15 @@ glm::vec4 IrradianceModel::texel(std::span<const float> values, std::size_t prob
     return {channel(0), channel(1), channel(2), 0.f};
 }
 
-Spectrum IrradianceModel::surfel_radiance(const Maps& maps, std::size_t surfel) const {
+template <typename Irradiance>
+Spectrum IrradianceModel::surfel_radiance(std::size_t surfel,
+                                          const Irradiance& irradiance_of) const {
     const Surfels& surfels = cache_->surfels();
     if (settings_.blackBacks != 0. && distances_.back(surfel)) return Spectrum(0.f);
     const Spectrum& albedo = surfels.albedo[surfel];
     if (!surfels.hit(surfel) || albedo == Spectrum(0.f)) return unfed_[surfel];
-    const Spectrum E = irradiance(
-        around_[surfel], surfels.n[surfel],
-        [&](std::size_t probe, std::size_t t) { return maps[probe * texels_.size() + t]; });
     const auto taken_in = static_cast<float>(settings_.energyPreservation);
-    return unfed_[surfel] + taken_in * albedo / glm::pi<float>() * E;
+    return unfed_[surfel] + taken_in * albedo / glm::pi<float>() * irradiance_of(surfel);
 }
 
 template <typename Radiance>
@@ -205,10 +196,20 @@ void IrradianceModel::gather(std::size_t probe, const Radiance& radiance_of,
 
 void IrradianceModel::update(std::span<const float> previous, std::span<float> next) const {
     const Maps maps = maps_of(previous);
+    const Surfels& surfels = cache_->surfels();
+    const auto at_surfel = [&](std::size_t i) {
+        return irradiance(around_[i], surfels.n[i], [&](std::size_t probe, std::size_t t) {
+            return maps[probe * texels_.size() + t];
+        });
+    };
+    const std::vector<Spectrum> shared = at_sources(surfels, at_surfel);
+    const auto irradiance_of = [&](std::size_t i) {
+        return shared.empty() ? at_surfel(i) : shared[surfels.source[i]];
+    };
     tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
         const std::span<float> texels = texels_of(next, probe);
         gather(
-            probe, [&](std::size_t i) { return surfel_radiance(maps, i); }, texels);
+            probe, [&](std::size_t i) { return surfel_radiance(i, irradiance_of); }, texels);
         if (kept_ == 0.f) return;
         const float* before = &previous[probe * texels.size()];
         for (std::size_t i = 0; i < texels.size(); ++i)

@@ -4,6 +4,7 @@
 #include "ddgi/distance_moments.h"
 #include "ddgi/irradiance_settings.h"
 #include "ddgi/model.h"
+#include "ddgi/surfel_light.h"
 
 namespace plumbline::ddgi {
 
@@ -56,7 +57,9 @@ class IrradianceModel final : public ProbeModel {
     template <typename Texel>
     Spectrum irradiance(const ProbeNeighbours& around, const glm::vec3& n,
                         const Texel& texel_of) const;
-    Spectrum surfel_radiance(const Maps& maps, std::size_t surfel) const;
+    /// What the ray of `surfel` brings; irradiance_of(surfel) is what the probes give it.
+    template <typename Irradiance>
+    Spectrum surfel_radiance(std::size_t surfel, const Irradiance& irradiance_of) const;
     /// The texels of a probe, whose rays bring radiance_of(surfel), into `encoded`.
     template <typename Radiance>
     void gather(std::size_t probe, const Radiance& radiance_of, std::span<float> encoded) const;
@@ -73,7 +76,7 @@ class IrradianceModel final : public ProbeModel {
     float kept_ = 0.f;      ///< by a texel at the next update
     bool updated_ = false;  ///< some update has begun
     const SurfelCache* cache_ = nullptr;
-    std::vector<Spectrum> unfed_;          ///< radiance a surfel ray brings without feedback
+    UnfedLight unfed_;
     std::vector<ProbeNeighbours> around_;  ///< what each surfel gathers from
     std::vector<float> emitted_;  ///< probe values of emission and environment; empty if none
 };

@@ -86,7 +86,9 @@ void RaysModel::take_surfel(std::size_t surfel, bool weighs_others) {
     unfed_[surfel] = surfels.emission[surfel];
     if (hit) unfed_[surfel] += reflectance * surfels.direct[surfel];
     if (!maps_ || !weighs_others) return;
-    const bool fed = reflectance != Spectrum(0.f);
+    // A black surfel takes nothing in, unless others show its light.
+    const bool fed =
+        surfels.source.empty() ? reflectance != Spectrum(0.f) : surfels.own_light(surfel);
     gathers_[surfel] = fed ? maps_->gather(around(surfel), surfels.n[surfel]) : MapGather{};
 }
 
@@ -131,18 +133,55 @@ void RaysModel::feed(const FeedbackMaps::Nodes& nodes, std::span<const float> pr
     }
 }
 
+/// What the rays of a probe bring whose surfels take in `E`.
+void RaysModel::bring(std::size_t probe, std::span<const Spectrum> E, std::span<float> next) const {
+    const std::size_t first = probe * rays();
+    for (std::size_t ray = 0; ray < rays(); ++ray) {
+        put(next, probe, ray, rays(), unfed_[first + ray] + reflectance_[first + ray] * E[ray]);
+    }
+}
+
 void RaysModel::update(std::span<const float> previous, std::span<float> next) const {
     const FeedbackMaps::Nodes nodes = maps_ ? maps_->make(*ends_, previous, rays()) : nullptr;
+    if (!cache_->surfels().source.empty()) {
+        update_shared(nodes, previous, next);
+        return;
+    }
     const tbb::blocked_range<std::size_t> all(0, probe_count(grid_));
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& probes) {
         std::vector<Spectrum> E(rays());
         for (std::size_t probe = probes.begin(); probe < probes.end(); ++probe) {
             feed(nodes, previous, probe, E);
-            const std::size_t first = probe * rays();
-            for (std::size_t ray = 0; ray < rays(); ++ray) {
-                put(next, probe, ray, rays(),
-                    unfed_[first + ray] + reflectance_[first + ray] * E[ray]);
+            bring(probe, E, next);
+        }
+    });
+}
+
+/// The same where surfels take in what their sources do: these first.
+void RaysModel::update_shared(const FeedbackMaps::Nodes& nodes, std::span<const float> previous,
+                              std::span<float> next) const {
+    const Surfels& surfels = cache_->surfels();
+    // Only what sources take in is ever written and read.
+    const std::unique_ptr<Spectrum[]> fed(new Spectrum[surfels.size()]);
+    for_probes(probe_count(grid_), [&](std::size_t probe) {
+        for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i) {
+            if (!surfels.own_light(i)) continue;
+            if (maps_) {
+                maps_->gather(nodes, {&gathers_[i], 1}, {&fed[i], 1});
+            } else {
+                fed[i] = ray_irradiance(previous, around(i), surfels.position[i], surfels.n[i]);
             }
+        }
+    });
+    const tbb::blocked_range<std::size_t> all(0, probe_count(grid_));
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& probes) {
+        std::vector<Spectrum> E(rays());
+        for (std::size_t probe = probes.begin(); probe < probes.end(); ++probe) {
+            for (std::size_t ray = 0; ray < rays(); ++ray) {
+                const std::size_t i = probe * rays() + ray;
+                E[ray] = surfels.hit(i) ? fed[surfels.source[i]] : Spectrum(0.f);
+            }
+            bring(probe, E, next);
         }
     });
 }

@@ -48,6 +48,9 @@ class RaysModel final : public ProbeModel {
     void take_emission(std::size_t probe);
     void feed(const FeedbackMaps::Nodes& nodes, std::span<const float> previous, std::size_t probe,
               std::span<Spectrum> E) const;
+    void bring(std::size_t probe, std::span<const Spectrum> E, std::span<float> next) const;
+    void update_shared(const FeedbackMaps::Nodes& nodes, std::span<const float> previous,
+                       std::span<float> next) const;
 
     ProbeGrid grid_;
     ProbeOptions options_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ddgi/picture.h"
 #include "ddgi/spectral_radius.h"
@@ -37,6 +38,10 @@ void check(const DdgiOptions& options) {
     }
     if (options.budget && *options.budget < 1) {
         throw UsageError("--budget", fmt::format("{} surfels", *options.budget), "give 1 or more");
+    }
+    if (!(options.share >= 0. && options.share < std::numeric_limits<double>::infinity())) {
+        throw UsageError("--share", fmt::format("cells {} spacings wide", options.share),
+                         "give 0, no sharing, or a width above it, such as 0.25");
     }
     if (options.budget && !options.cache) {
         throw UsageError("--budget", "without the cache every surfel is placed at every frame",
@@ -96,6 +101,7 @@ void describe(Image& image, const Scene& scene, int frame, const DdgiOptions& op
         image.metadata["plumbline:" + name] = fmt::format("{}", value);
     }
     if (options.spacing) image.metadata["plumbline:spacing"] = fmt::format("{}", *options.spacing);
+    if (options.share > 0.) image.metadata["plumbline:share"] = fmt::format("{}", options.share);
     if (options.budget) image.metadata["plumbline:budget"] = std::to_string(*options.budget);
 }
 

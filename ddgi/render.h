@@ -29,6 +29,8 @@ struct DdgiOptions {
     /// Surfels that an update re-places or lights again at most, the others wait: see SurfelQueue;
     /// none: all at once.
     std::optional<int> budget = std::nullopt;
+    /// Surfels in one cell so wide, in spacings, share their light: see SurfelCells; 0: none do.
+    double share = 0.;
 };
 
 /// What one frame took, and what it counted.
@@ -47,6 +49,7 @@ struct FrameFigures {
     double relative_change = 0;  ///< of the last update, largest over probes
     bool converged = false;  ///< relative_change is below convergence_threshold, no surfel waits
     std::uint64_t non_finite = 0;       ///< values of the picture that are not finite
+    std::uint64_t surfels_lit = 0;      ///< of surfels_hit, those with light of their own
     std::uint64_t surfels_waiting = 0;  ///< for their turn in the budget
     int oldest_wait = 0;                ///< of these, in updates since it was touched
 };

@@ -99,7 +99,8 @@ Spectrum StepsModel::surfel_radiance(std::span<const float> previous, std::size_
     const Surfels& surfels = cache_->surfels();
     Spectrum incident = surfels.direct[surfel] / glm::pi<float>();
     if (steps_.multiBounce) {
-        const Spectrum Q = look_up_at(previous, surfels.position[surfel], surfels.n[surfel]);
+        const std::size_t source = surfels.source_of(surfel);
+        const Spectrum Q = look_up_at(previous, surfels.position[source], surfels.n[source]);
         incident +=
             steps_.octantLookUp ? Q / glm::pi<float>() : constants_.multiBounceIntensity * Q;
     }

@@ -29,7 +29,7 @@ Surfels unplaced(const ProbeGrid& grid, const RayPattern& pattern, bool sees) {
 }  // namespace
 
 SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
-                         ProbeWeights weights, std::optional<int> budget)
+                         ProbeWeights weights, std::optional<int> budget, double share)
     : grid_(grid),
       pattern_(std::move(pattern)),
       surfels_(unplaced(grid, pattern_, weights == ProbeWeights::Visibility)),
@@ -37,14 +37,20 @@ SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
       marks_(probe_count(grid), static_cast<std::size_t>(surfels_.per_probe)),
       hits_of_(probe_count(grid)) {
     if (budget) queue_.emplace(surfels_.size(), *budget);
+    if (share > 0.) {
+        cells_.emplace(share * double(grid.spacing), surfels_.size());
+        surfels_.source.resize(surfels_.size());
+    }
 }
 
 void SurfelCache::rebuild(const RayTracer& tracer) {
     figures_ = {};
     marks_.set_all();
     place_marked(tracer);
+    share_light();
     see_marked(tracer);
     light_marked(tracer);
+    spread_light();
 }
 
 void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
@@ -57,6 +63,7 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
         figures_.place_ms = placing.ms();
         const Stopwatch lighting;
         marker_.mark_shadows(surfels_, tracer.world(), motion, hits_of_, marks_);
+        leave_to_sources();
         figures_.light_ms = lighting.ms();
     } else if (waiting() == 0) {
         return;
@@ -67,8 +74,10 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
         figures_.place_ms += choosing.ms();
     }
     place_marked(tracer);
+    share_light();
     see_marked(tracer);
     light_marked(tracer);
+    spread_light();
     marks_.join();
 }
 
@@ -113,11 +122,58 @@ void SurfelCache::put_hit(const World& world, std::size_t surfel, const std::opt
     surfels_.emission[surfel] = world.materials[static_cast<std::size_t>(hit->material)].emission;
 }
 
-/// Those of `surfels` that are on a surface, and where.
+/// Takes the marks back from those that show another's light, and stay where they are.
+void SurfelCache::leave_to_sources() {
+    if (!cells_) return;
+    for_probes(marks_.probes(), [&](std::size_t probe) {
+        if (marks_.of_probe(probe) == 0) return;
+        const std::span<std::uint8_t> of_rays = marks_.rays_of(probe);
+        for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
+            const std::size_t surfel = probe * of_rays.size() + ray;
+            if (!replaced(surfel) && !surfels_.own_light(surfel)) of_rays[ray] = 0;
+        }
+        marks_.join(probe);
+    });
+}
+
+/// Groups the surfels anew if some were placed, and marks those to be lit that light was not
+/// measured at before.
+void SurfelCache::share_light() {
+    if (!cells_ || figures_.replaced == 0) return;
+    const Stopwatch watch;
+    const std::vector<std::uint32_t> before = surfels_.source;
+    sources_ = cells_->group(surfels_);
+    for_probes(marks_.probes(), [&](std::size_t probe) {
+        const std::size_t first = probe * marks_.per_probe();
+        for (std::size_t i = first; i < first + marks_.per_probe(); ++i) {
+            if (surfels_.hit(i) && surfels_.source[i] != before[i])
+                marks_.add(i, Sourced | Lit | Seen);
+        }
+    });
+    figures_.place_ms += watch.ms();
+}
+
+/// Hands the light of sources to all that show it, and their marks.
+void SurfelCache::spread_light() {
+    if (!cells_) return;
+    const Stopwatch watch;
+    for_probes(marks_.probes(), [&](std::size_t probe) {
+        const std::size_t first = probe * marks_.per_probe();
+        for (std::size_t i = first; i < first + marks_.per_probe(); ++i) {
+            if (!surfels_.hit(i) || surfels_.own_light(i)) continue;
+            const std::uint32_t source = surfels_.source[i];
+            marks_.add(i, marks_.of(source) & (Lit | Seen));
+            surfels_.direct[i] = surfels_.direct[source];
+        }
+    });
+    figures_.light_ms += watch.ms();
+}
+
+/// Those of `surfels` that light is measured at, and where.
 SurfelCache::Points SurfelCache::on_surfaces(std::span<const std::size_t> surfels) const {
     Points points;
     for (const std::size_t surfel : surfels) {
-        if (!surfels_.hit(surfel)) continue;
+        if (!surfels_.own_light(surfel)) continue;
         points.surfel.push_back(surfel);
         points.position.push_back(surfels_.position[surfel]);
         points.n.push_back(surfels_.n[surfel]);
@@ -135,7 +191,7 @@ void SurfelCache::see_marked(const RayTracer& tracer) {
         for (std::size_t i = 0; i < seen.size(); ++i) {
             const std::size_t surfel = surfels[i];
             // What is as it was need not be looked at again.
-            if (surfels_.seen[surfel] == seen[i] && !replaced(surfel)) marks_.drop(surfel, Seen);
+            if (surfels_.seen[surfel] == seen[i] && !renewed(surfel)) marks_.drop(surfel, Seen);
             surfels_.seen[surfel] = seen[i];
         }
     });
@@ -153,7 +209,7 @@ void SurfelCache::light_marked(const RayTracer& tracer) {
         for (std::size_t i = 0; i < light.size(); ++i) {
             const std::size_t surfel = surfels[i];
             rays += light[i].shadow_rays;
-            if (surfels_.direct[surfel] == light[i].irradiance && !replaced(surfel))
+            if (surfels_.direct[surfel] == light[i].irradiance && !renewed(surfel))
                 marks_.drop(surfel, Lit);
             surfels_.direct[surfel] = light[i].irradiance;
         }

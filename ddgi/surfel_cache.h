@@ -11,6 +11,7 @@
 #include "ddgi/motion_marker.h"
 #include "ddgi/patterns.h"
 #include "ddgi/seen_probes.h"
+#include "ddgi/surfel_cells.h"
 #include "ddgi/surfel_marks.h"
 #include "ddgi/surfel_queue.h"
 #include "ddgi/surfels.h"
@@ -23,13 +24,17 @@ namespace plumbline::ddgi {
 ///
 /// After every call the surfels are the ones that tracing all of them afresh would give; with a
 /// budget, all but those that wait, which are as they were before something touched them.
+///
+/// Where surfels share light, `direct` is that of each surfel's source, and `seen` is meaningful at
+/// sources alone.
 class SurfelCache {
  public:
     /// With ProbeWeights::Visibility surfels know which probes around them they see. At most
     /// `budget` surfels are re-placed or lit again by a refresh(), see SurfelQueue; none: all.
+    /// Surfels share light in cells `share` spacings wide, see SurfelCells; 0: each has its own.
     SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
-                ProbeWeights weights = ProbeWeights::None,
-                std::optional<int> budget = std::nullopt);
+                ProbeWeights weights = ProbeWeights::None, std::optional<int> budget = std::nullopt,
+                double share = 0.);
 
     /// Places and lights every surfel.
     void rebuild(const RayTracer& tracer);
@@ -50,6 +55,8 @@ class SurfelCache {
     bool probe_changed(std::size_t probe) const { return marks_.of_probe(probe) != 0; }
     /// How many surfels are on a surface.
     std::uint64_t hits() const { return hits_; }
+    /// How many of these light is measured at.
+    std::uint64_t lit() const { return cells_ ? sources_ : hits_; }
     /// How many wait for their turn.
     std::uint64_t waiting() const { return queue_ ? queue_->waiting() : 0; }
     /// Calls of refresh() since the oldest of these was touched, that one included.
@@ -72,6 +79,10 @@ class SurfelCache {
     };
 
     void place_marked(const RayTracer& tracer);
+    void leave_to_sources();
+    void share_light();
+    void spread_light();
+    bool renewed(std::size_t surfel) const { return (marks_.of(surfel) & (Placed | Sourced)) != 0; }
     void see_marked(const RayTracer& tracer);
     void light_marked(const RayTracer& tracer);
     void put_hit(const World& world, std::size_t surfel, const std::optional<Hit>& hit);
@@ -83,6 +94,8 @@ class SurfelCache {
     MotionMarker marker_;
     SurfelMarks marks_;
     std::optional<SurfelQueue> queue_;
+    std::optional<SurfelCells> cells_;
+    std::uint64_t sources_ = 0;           ///< surfels that others, or they alone, show the light of
     std::vector<std::uint32_t> hits_of_;  ///< one a probe
     std::uint64_t hits_ = 0;
     Figures figures_;

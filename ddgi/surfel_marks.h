@@ -12,11 +12,13 @@ namespace plumbline::ddgi {
 
 /// What is to be done to a surfel, or was done: a bit of a set.
 enum Mark : std::uint8_t {
-    Placed = 1,  ///< its ray is traced; the others follow
-    Lit = 2,     ///< light is measured at it
-    Seen = 4,    ///< it looks which probes around it can be seen
+    Placed = 1,   ///< its ray is traced; the others follow
+    Lit = 2,      ///< light is measured at it
+    Seen = 4,     ///< it looks which probes around it can be seen
+    Sourced = 8,  ///< it shows the light of another surfel than before
 };
 
+/// What a surfel calls for that is placed.
 constexpr std::uint8_t all_marks = Placed | Lit | Seen;
 
 /// A set of Mark for each surfel and, so that what nothing touches is passed over, their union for

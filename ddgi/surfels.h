@@ -25,9 +25,19 @@ struct Surfels {
     std::vector<Spectrum> direct;    ///< irradiance from the lights, W m^-2
     /// Which probes around it a surfel sees, see seen_probes(); empty if nobody asks.
     std::vector<std::uint8_t> seen;
+    /// Of each hit, the surfel whose light it shows, see SurfelCells; empty if each has its own.
+    std::vector<std::uint32_t> source;
 
     std::size_t size() const { return distance.size(); }
     bool hit(std::size_t surfel) const { return std::isfinite(distance[surfel]); }
+    /// Whose light a hit shows.
+    std::size_t source_of(std::size_t surfel) const {
+        return source.empty() ? surfel : source[surfel];
+    }
+    /// Whether light is measured at this surfel itself.
+    bool own_light(std::size_t surfel) const {
+        return hit(surfel) && source_of(surfel) == surfel;
+    }
 
     void resize(std::size_t probes, int surfels_per_probe) {
         per_probe = surfels_per_probe;

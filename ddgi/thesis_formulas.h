@@ -105,8 +105,9 @@ void thesis_lit(const ThesisField& field, const ThesisParameters<T>& parameters,
             const Coefficient<T> share = cosine / glm::max(distance * distance, 1.f);
             std::array<T, 3> Q{T(0), T(0), T(0)};
             if (feedback) {
-                Q = thesis_look_up<T>(field.grid, previous, field.surfels.position[surfel],
-                                      field.surfels.n[surfel]);
+                const std::size_t source = field.surfels.source_of(surfel);
+                Q = thesis_look_up<T>(field.grid, previous, field.surfels.position[source],
+                                      field.surfels.n[source]);
             }
             for (int c = 0; c < 3; ++c) {
                 const Coefficient<T> albedo = field.surfels.albedo[surfel][c];

@@ -24,11 +24,12 @@ ProbeVolume::ProbeVolume(const Scene& scene, const DdgiOptions& options)
     : scene_(scene),
       caching_(options.cache),
       surfels_(options.surfels),
+      share_(options.share),
       grid_(grid_for(scene, options)),
       setup_(make_model(options.model, scene, grid_, options.set, options.probes)),
       bins_(setup_.model->bins(options.surfels)),
       cache_(grid_, setup_.model->pattern(options.surfels), setup_.model->reach(),
-             setup_.model->weights(), options.budget),
+             setup_.model->weights(), options.budget, options.share),
       values_(probe_count(grid_) * 3 * bins_, 0.f),
       next_(values_.size()) {
     if (options.budget && setup_.model->turns_rays()) {
@@ -94,6 +95,7 @@ void ProbeVolume::note_surfels() {
     figures_.probes = probe_count(grid_);
     figures_.surfels = cache_.surfels().size();
     figures_.surfels_hit = cache_.hits();
+    figures_.surfels_lit = cache_.lit();
     figures_.surfels_waiting = cache_.waiting();
     figures_.oldest_wait = cache_.oldest_wait();
 }
@@ -101,7 +103,7 @@ void ProbeVolume::note_surfels() {
 void ProbeVolume::turn_rays() {
     ProbeModel& model = *setup_.model;
     cache_ = SurfelCache(grid_, model.turned_pattern(surfels_, turns_++), model.reach(),
-                         model.weights());
+                         model.weights(), std::nullopt, share_);
     cache_.rebuild(stage_->tracer);
     note_surfels();
     take_surfels(nullptr);

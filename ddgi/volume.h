@@ -49,6 +49,7 @@ class ProbeVolume {
     const Scene& scene_;
     bool caching_;
     int surfels_;  ///< a probe
+    double share_;
     ProbeGrid grid_;
     ModelSetup setup_;
     std::size_t bins_;  ///< values a probe and channel

@@ -52,6 +52,9 @@ AblationRow measure_case(const Scene& scene, int frame, const Image& truth,
     row.subject = subject;
     row.place_ms = volume.figures().place_ms;
     row.light_ms = volume.figures().light_ms;
+    row.surfels_hit = volume.figures().surfels_hit;
+    row.surfels_lit = volume.figures().surfels_lit;
+    row.shadow_rays = volume.figures().surfel_shadow_rays;
     volume.converge();
     row.bytes = static_cast<double>(allocated_bytes()) - static_cast<double>(before);
     row.updates = volume.figures().updates;

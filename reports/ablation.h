@@ -27,6 +27,9 @@ struct AblationRow {
     int updates;
     bool converged;
     std::uint64_t non_finite;
+    std::uint64_t surfels_hit;  ///< of all probes
+    std::uint64_t surfels_lit;  ///< those of them that light is measured at
+    std::uint64_t shadow_rays;  ///< to light these
 };
 
 struct AblationScene {

@@ -38,15 +38,19 @@ ordered_json row_json(const AblationRow& row) {
             {"bytes", row.bytes},
             {"updates", row.updates},
             {"converged", row.converged},
-            {"non_finite", row.non_finite}};
+            {"non_finite", row.non_finite},
+            {"surfels_hit", row.surfels_hit},
+            {"surfels_lit", row.surfels_lit},
+            {"shadow_rays", row.shadow_rays}};
 }
 
 StudyTable group_table(const AblationScene& scene, const std::string& group) {
-    StudyTable table{group,
-                     {"Case", "mean ratio to the truth", "RMSE", "RMSE without the truth's noise",
-                      "best gain", "RMSE with it", "placing, ms", "lighting, ms", "update, ms",
-                      "picture, ms", "memory, MB", "updates to converge"},
-                     {}};
+    StudyTable table{
+        group,
+        {"Case", "mean ratio to the truth", "RMSE", "RMSE without the truth's noise", "best gain",
+         "RMSE with it", "placing, ms", "lighting, ms", "update, ms", "picture, ms", "memory, MB",
+         "updates to converge", "surfels lit", "shadow rays"},
+        {}};
     for (const AblationRow& row : scene.rows) {
         if (row.subject.group != group) continue;
         table.rows.push_back(
@@ -55,7 +59,8 @@ StudyTable group_table(const AblationScene& scene, const std::string& group) {
              number_text(row.rmse_with_gain), number_text(row.place_ms), number_text(row.light_ms),
              number_text(row.update_ms), number_text(row.primary_ms),
              number_text(row.bytes / bytes_per_megabyte),
-             row.converged ? std::to_string(row.updates) : fmt::format("not in {}", row.updates)});
+             row.converged ? std::to_string(row.updates) : fmt::format("not in {}", row.updates),
+             count_text(row.surfels_lit), count_text(row.shadow_rays)});
     }
     return table;
 }
@@ -121,15 +126,16 @@ ordered_json ablation_json(const std::vector<AblationScene>& scenes) {
 std::string ablation_csv(const std::vector<AblationScene>& scenes) {
     std::string csv =
         "scene,frame,case,mean_ratio,rmse,mse_expected_from_noise,bias_mse,best_gain,"
-        "rmse_with_best_gain,place_ms,light_ms,update_ms,primary_ms,bytes,updates,converged\n";
+        "rmse_with_best_gain,place_ms,light_ms,update_ms,primary_ms,bytes,updates,converged,"
+        "surfels_hit,surfels_lit,shadow_rays\n";
     for (const AblationScene& scene : scenes) {
         for (const AblationRow& row : scene.rows)
-            csv +=
-                fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{:.0f},{},{:d}\n", scene.name,
-                            scene.frame, row.subject.name, row.mean_ratio, row.metrics.rmse,
-                            row.noise.mse_expected_from_noise, row.noise.bias_mse, row.best_gain,
-                            row.rmse_with_gain, row.place_ms, row.light_ms, row.update_ms,
-                            row.primary_ms, row.bytes, row.updates, row.converged);
+            csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{:.0f},{},{:d},{},{},{}\n",
+                               scene.name, scene.frame, row.subject.name, row.mean_ratio,
+                               row.metrics.rmse, row.noise.mse_expected_from_noise,
+                               row.noise.bias_mse, row.best_gain, row.rmse_with_gain, row.place_ms,
+                               row.light_ms, row.update_ms, row.primary_ms, row.bytes, row.updates,
+                               row.converged, row.surfels_hit, row.surfels_lit, row.shadow_rays);
     }
     return csv;
 }

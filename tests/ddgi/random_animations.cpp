@@ -180,6 +180,13 @@ TEST_CASE("a thousand random frames are the same bytes with the cache: conservin
     check_random_animation(options);
 }
 
+TEST_CASE("a thousand random frames are the same bytes with the cache: shared light", "[share]") {
+    DdgiOptions options;
+    options.surfels = 16;
+    options.share = .4;
+    check_random_animation(options);
+}
+
 TEST_CASE("a thousand random frames are the same bytes with the cache: thesis", "[ddgi]") {
     DdgiOptions options;
     options.model = "thesis";
@@ -198,6 +205,7 @@ TEST_CASE("whatever moved, once all had their turn no surfel tells of the budget
     DdgiOptions options;
     options.surfels = 16;
     SECTION("conserving") {}
+    SECTION("conserving, shared light") { options.share = .4; }
     SECTION("thesis") {
         options.model = "thesis";
         options.surfels = 64;

@@ -141,7 +141,8 @@ bool same_surfels(const Surfels& a, const Surfels& b) {
         if (a.position[i] != b.position[i] || a.n[i] != b.n[i] || a.object[i] != b.object[i] ||
             a.albedo[i] != b.albedo[i] || a.direct[i] != b.direct[i])
             return false;
-        if (!a.seen.empty() && a.seen[i] != b.seen[i]) return false;
+        if (a.source_of(i) != b.source_of(i)) return false;
+        if (a.own_light(i) && !a.seen.empty() && a.seen[i] != b.seen[i]) return false;
     }
     return true;
 }

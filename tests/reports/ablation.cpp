@@ -58,6 +58,11 @@ TEST_CASE("an ablation splits each case's error and finds the gain it lacks",
     }
     CHECK(row_named(measured, "conserving-64").metrics.rmse <
           row_named(measured, "thesis").metrics.rmse);
+    const AblationRow& own = row_named(measured, "conserving-64");
+    const AblationRow& shared = row_named(measured, "share-500");
+    CHECK(own.surfels_lit == own.surfels_hit);
+    CHECK(shared.surfels_lit < own.surfels_lit / 2);
+    CHECK(shared.shadow_rays < own.shadow_rays / 2);
     const std::string html = study_html(ablation_page({measured}, "plumbline ablation"));
     CHECK(page_json(html)["charts"].size() == 2);
     CHECK(html.find("{{") == std::string::npos);
