@@ -90,7 +90,7 @@ void MotionMarker::mark_places(const Surfels& surfels, const World& world, const
         if (!within_reach(motion, origin)) return;
         const std::span<std::uint8_t> of_rays = marks.rays_of(probe);
         for (const OrientedBox& box : motion.oriented_boxes) {
-            rays_.mark_rays(probe, origin, box, Placed, of_rays);
+            rays_.mark_rays(probe, origin, box, Mark::Placed, of_rays);
         }
         for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
             if (of_rays[ray] == 0) continue;
@@ -138,7 +138,7 @@ void MotionMarker::mark_near(const Surfels& surfels, const Motion& motion,
     for_probes(marks.probes(), [&](std::size_t probe) {
         const std::span<std::uint8_t> of_rays = marks.rays_of(probe);
         for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
-            if (moved_near(probe * of_rays.size() + ray)) of_rays[ray] |= Seen;
+            if (moved_near(probe * of_rays.size() + ray)) of_rays[ray] |= Mark::Seen;
         }
         marks.join(probe);
     });
@@ -152,11 +152,11 @@ void MotionMarker::mark_shadows(const Surfels& surfels, const World& world, cons
         const std::span<std::uint8_t> of_rays = marks.rays_of(probe);
         if (motion.lights) {
             for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
-                if (surfels.hit(probe * of_rays.size() + ray)) of_rays[ray] |= Lit;
+                if (surfels.hit(probe * of_rays.size() + ray)) of_rays[ray] |= Mark::Lit;
             }
         }
         for (const LampWay& way : ways) {
-            rays_.mark_shadows(probe, way, motion.oriented_boxes, Lit, of_rays);
+            rays_.mark_shadows(probe, way, motion.oriented_boxes, Mark::Lit, of_rays);
         }
         marks.join(probe);
     });

@@ -85,7 +85,7 @@ void SurfelCache::place_marked(const RayTracer& tracer) {
     const Stopwatch watch;
     std::atomic<std::uint64_t> replaced{0};
     for_probes(marks_.probes(), [&](std::size_t probe) {
-        if ((marks_.of_probe(probe) & Placed) == 0) return;
+        if ((marks_.of_probe(probe) & Mark::Placed) == 0) return;
         const glm::vec3 origin = probe_position(grid_, static_cast<std::uint32_t>(probe));
         std::uint64_t placed = 0;
         for (std::size_t ray = 0; ray < marks_.per_probe(); ++ray) {
@@ -147,7 +147,7 @@ void SurfelCache::share_light() {
         const std::size_t first = probe * marks_.per_probe();
         for (std::size_t i = first; i < first + marks_.per_probe(); ++i) {
             if (surfels_.hit(i) && surfels_.source[i] != before[i])
-                marks_.add(i, Sourced | Lit | Seen);
+                marks_.add(i, Mark::Sourced | Mark::Lit | Mark::Seen);
         }
     });
     figures_.place_ms += watch.ms();
@@ -162,7 +162,7 @@ void SurfelCache::spread_light() {
         for (std::size_t i = first; i < first + marks_.per_probe(); ++i) {
             if (!surfels_.hit(i) || surfels_.own_light(i)) continue;
             const std::uint32_t source = surfels_.source[i];
-            marks_.add(i, marks_.of(source) & (Lit | Seen));
+            marks_.add(i, marks_.of(source) & (Mark::Lit | Mark::Seen));
             surfels_.direct[i] = surfels_.direct[source];
         }
     });
@@ -184,14 +184,15 @@ SurfelCache::Points SurfelCache::on_surfaces(std::span<const std::size_t> surfel
 void SurfelCache::see_marked(const RayTracer& tracer) {
     if (surfels_.seen.empty()) return;
     const Stopwatch watch;
-    marks_.for_marked(Seen, [&](std::span<const std::size_t> batch) {
+    marks_.for_marked(Mark::Seen, [&](std::span<const std::size_t> batch) {
         const auto [surfels, x, n] = on_surfaces(batch);
         std::vector<std::uint8_t> seen(x.size());
         seen_probes(tracer, grid_, x, n, seen);
         for (std::size_t i = 0; i < seen.size(); ++i) {
             const std::size_t surfel = surfels[i];
             // What is as it was need not be looked at again.
-            if (surfels_.seen[surfel] == seen[i] && !renewed(surfel)) marks_.drop(surfel, Seen);
+            if (surfels_.seen[surfel] == seen[i] && !renewed(surfel))
+                marks_.drop(surfel, Mark::Seen);
             surfels_.seen[surfel] = seen[i];
         }
     });
@@ -201,7 +202,7 @@ void SurfelCache::see_marked(const RayTracer& tracer) {
 void SurfelCache::light_marked(const RayTracer& tracer) {
     const Stopwatch watch;
     std::atomic<std::uint64_t> shadow_rays{0};
-    marks_.for_marked(Lit, [&](std::span<const std::size_t> batch) {
+    marks_.for_marked(Mark::Lit, [&](std::span<const std::size_t> batch) {
         const auto [surfels, x, n] = on_surfaces(batch);
         std::vector<DirectLight> light(x.size());
         direct_light(tracer, x, n, light);
@@ -210,7 +211,7 @@ void SurfelCache::light_marked(const RayTracer& tracer) {
             const std::size_t surfel = surfels[i];
             rays += light[i].shadow_rays;
             if (surfels_.direct[surfel] == light[i].irradiance && !renewed(surfel))
-                marks_.drop(surfel, Lit);
+                marks_.drop(surfel, Mark::Lit);
             surfels_.direct[surfel] = light[i].irradiance;
         }
         shadow_rays += rays;

@@ -46,9 +46,9 @@ class SurfelCache {
     const RayPattern& pattern() const { return pattern_; }
     const ProbeGrid& grid() const { return grid_; }
     /// Whether the last call placed this surfel.
-    bool replaced(std::size_t surfel) const { return (marks_.of(surfel) & Placed) != 0; }
+    bool replaced(std::size_t surfel) const { return (marks_.of(surfel) & Mark::Placed) != 0; }
     /// Whether the last call may have changed which probes it sees.
-    bool sees_others(std::size_t surfel) const { return (marks_.of(surfel) & Seen) != 0; }
+    bool sees_others(std::size_t surfel) const { return (marks_.of(surfel) & Mark::Seen) != 0; }
     /// Whether the last call may have changed anything of this surfel.
     bool changed(std::size_t surfel) const { return marks_.of(surfel) != 0; }
     /// ... or of any of this probe's.
@@ -82,7 +82,9 @@ class SurfelCache {
     void leave_to_sources();
     void share_light();
     void spread_light();
-    bool renewed(std::size_t surfel) const { return (marks_.of(surfel) & (Placed | Sourced)) != 0; }
+    bool renewed(std::size_t surfel) const {
+        return (marks_.of(surfel) & (Mark::Placed | Mark::Sourced)) != 0;
+    }
     void see_marked(const RayTracer& tracer);
     void light_marked(const RayTracer& tracer);
     void put_hit(const World& world, std::size_t surfel, const std::optional<Hit>& hit);

@@ -11,15 +11,17 @@
 namespace plumbline::ddgi {
 
 /// What is to be done to a surfel, or was done: a bit of a set.
-enum Mark : std::uint8_t {
-    Placed = 1,   ///< its ray is traced; the others follow
-    Lit = 2,      ///< light is measured at it
-    Seen = 4,     ///< it looks which probes around it can be seen
-    Sourced = 8,  ///< it shows the light of another surfel than before
+struct Mark {
+    enum Bit : std::uint8_t {
+        Placed = 1,   ///< its ray is traced; the others follow
+        Lit = 2,      ///< light is measured at it
+        Seen = 4,     ///< it looks which probes around it can be seen
+        Sourced = 8,  ///< it shows the light of another surfel than before
+    };
 };
 
 /// What a surfel calls for that is placed.
-constexpr std::uint8_t all_marks = Placed | Lit | Seen;
+constexpr std::uint8_t all_marks = Mark::Placed | Mark::Lit | Mark::Seen;
 
 /// A set of Mark for each surfel and, so that what nothing touches is passed over, their union for
 /// each probe. Threads may work on different probes.
@@ -41,7 +43,7 @@ class SurfelMarks {
         marks_[surfel] |= marks;
         probe_marks_[surfel / per_probe_] |= marks;
     }
-    void drop(std::size_t surfel, Mark mark) {
+    void drop(std::size_t surfel, Mark::Bit mark) {
         marks_[surfel] = static_cast<std::uint8_t>(marks_[surfel] & ~mark);
     }
     /// Brings the union of a probe up to date.
@@ -54,7 +56,7 @@ class SurfelMarks {
 
     /// Calls body(surfels) with batches of the surfels that have this mark, in parallel.
     template <typename Body>
-    void for_marked(Mark mark, const Body& body) const {
+    void for_marked(Mark::Bit mark, const Body& body) const {
         constexpr std::size_t most_at_once = 256;
         const tbb::blocked_range<std::size_t> all(0, probes());
         tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {

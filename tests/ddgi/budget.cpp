@@ -69,16 +69,17 @@ TEST_CASE("the queue serves what waits longest and changed most, and all in the 
     SurfelQueue queue(8, 2);
     CHECK(queue.oldest() == 0);
     // All marks before two of them before one.
-    CHECK(turn(queue, {Lit, 0, all_marks, Lit | Seen, Seen, 0, 0, 0}) ==
+    CHECK(turn(queue, {Mark::Lit, 0, all_marks, Mark::Lit | Mark::Seen, Mark::Seen, 0, 0, 0}) ==
           std::set<std::size_t>{2, 3});
     CHECK(queue.waiting() == 2);
     CHECK(queue.oldest() == 1);
     // One thing changed two turns ago counts as much as two now, and less than three.
-    CHECK(turn(queue, {0, all_marks, 0, 0, 0, all_marks, Lit, Lit}) == std::set<std::size_t>{1, 5});
+    CHECK(turn(queue, {0, all_marks, 0, 0, 0, all_marks, Mark::Lit, Mark::Lit}) ==
+          std::set<std::size_t>{1, 5});
     CHECK(queue.oldest() == 2);
     CHECK(turn(queue, {0, 0, 0, 0, 0, 0, 0, 0}) == std::set<std::size_t>{0, 4});
     // What was touched again waits since the first time, for all that changed.
-    CHECK(turn(queue, {0, 0, 0, 0, 0, 0, Placed, 0}) == std::set<std::size_t>{6, 7});
+    CHECK(turn(queue, {0, 0, 0, 0, 0, 0, Mark::Placed, 0}) == std::set<std::size_t>{6, 7});
     CHECK(queue.waiting() == 0);
     CHECK(turn(queue, {0, 0, 0, 0, 0, 0, 0, 0}).empty());
 }
@@ -88,7 +89,7 @@ TEST_CASE("among equals the queue serves surfels spread over all", "[budget]") {
     constexpr std::size_t parts = 16;
     SurfelQueue queue(surfels, int(surfels / 8));
     std::vector<int> served(parts);
-    for (const std::size_t surfel : turn(queue, std::vector<std::uint8_t>(surfels, Lit)))
+    for (const std::size_t surfel : turn(queue, std::vector<std::uint8_t>(surfels, Mark::Lit)))
         ++served[surfel * parts / surfels];
     for (const int count : served) CHECK(count == Approx(surfels / 8 / parts).margin(3));
 }
