@@ -39,9 +39,13 @@ void check(const DdgiOptions& options) {
     if (options.budget && *options.budget < 1) {
         throw UsageError("--budget", fmt::format("{} surfels", *options.budget), "give 1 or more");
     }
-    if (!(options.share >= 0. && options.share < std::numeric_limits<double>::infinity())) {
-        throw UsageError("--share", fmt::format("cells {} spacings wide", options.share),
-                         "give 0, no sharing, or a width above it, such as 0.25");
+    // Smaller cells than any two surfels' distance would overflow the number of a cell.
+    constexpr double least_share = 1e-9;
+    if (!(options.share == 0. || (options.share >= least_share &&
+                                  options.share < std::numeric_limits<double>::infinity()))) {
+        throw UsageError(
+            "--share", fmt::format("cells {} spacings wide", options.share),
+            fmt::format("give 0, no sharing, or a width of {} or more, such as 0.25", least_share));
     }
     if (options.budget && !options.cache) {
         throw UsageError("--budget", "without the cache every surfel is placed at every frame",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pathtracer/light_choice.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -45,9 +46,23 @@ LightChoice::LightChoice(const World& world)
 
 std::optional<LightChoice::Choice> LightChoice::choose(const glm::vec3& x, const glm::vec3& n,
                                                        float u) const {
-    const auto chosen = tree_.choose(x, n, u);
+    if (lights_.empty()) return std::nullopt;
+    // The tree knows nothing of what is in between: one strong light behind a wall would take all
+    // choices, and the others, with weights of 1e4 and more or a probability that rounds to 0,
+    // would be missed by the picture and its variance alike. Some choices are even over all lights,
+    // which bounds the weights by a defensive mixture [Hesterberg 1995].
+    constexpr float even = .1f;
+    const float count = static_cast<float>(lights_.size());
+    if (u < even) {
+        const auto light = std::min(static_cast<std::uint32_t>(u / even * count),
+                                    static_cast<std::uint32_t>(lights_.size() - 1));
+        return Choice{lights_[light], even / count + (1.f - even) * tree_.probability(light, x, n)};
+    }
+    // Below 1 even after rounding.
+    const float rest = std::min((u - even) / (1.f - even), 0x1.fffffep-1f);
+    const auto chosen = tree_.choose(x, n, rest);
     if (!chosen) return std::nullopt;
-    return Choice{lights_[chosen->light], chosen->probability};
+    return Choice{lights_[chosen->light], even / count + (1.f - even) * chosen->probability};
 }
 
 }  // namespace plumbline::pathtracer

@@ -13,7 +13,8 @@ namespace plumbline::pathtracer {
 /// rounding may do to its edge.
 LightBounds light_bounds(const PointLight& light);
 
-/// Chooses one of a world's point, sphere and spot lights for each surface point, by a LightTree.
+/// Chooses one of a world's point, sphere and spot lights for each surface point, by a LightTree
+/// nine times in ten, evenly otherwise.
 ///
 /// A vertex then costs one shadow ray however many lights there are, and the noise of the choice:
 /// the tree knows how far lights are and where they and the surface face, not what hides them.

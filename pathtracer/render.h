@@ -20,8 +20,9 @@ struct RenderOptions {
     int spp = 64;                           ///< samples a pixel; an upper bound with the next two
     std::optional<double> seconds{};        ///< stop after this much wall-clock time
     std::optional<double> target_relmse{};  ///< stop when relmse_estimate falls to this
-    /// Indirect bounces; none: until Russian roulette. Paths of at most `longest_without_roulette`
-    /// bounces are all followed to their end.
+    /// Indirect bounces; none: until Russian roulette, or with a target until a bound proves the
+    /// rest too dark. Paths asked to have at most `longest_without_roulette` are all followed to
+    /// their end.
     std::optional<int> max_bounces{};
     std::uint64_t seed = 0;
     Shard shard{};  ///< of one of several renders of `spp` samples, to be merged

@@ -82,7 +82,7 @@ BudgetRun play(const Scene& scene, const BudgetStudy& study, std::optional<int> 
     volume.converge();
     BudgetRun run{budget, {}, {}};
     for (std::size_t i = 0; i < study.frames.size(); ++i) {
-        volume.move_to(study.frames[i]);
+        volume.move_to(std::min(study.frames[i], study.last));
         volume.update();
         const ddgi::FrameFigures& figures = volume.figures();
         const Image picture = ddgi::take_picture(volume.tracer(), volume.model(), &volume,
@@ -127,9 +127,10 @@ BudgetStudy measure_budget(const Scene& scene, const BudgetOptions& options) {
                       {},
                       {},
                       {}};
-    for (int frame = first; frame <= last + (last - first) / moving_to_still; ++frame)
-        study.frames.push_back(frame);
-    study.held = spread_over(study.frames, options.truths);
+    const int still = std::max(1, (last - first) / moving_to_still);
+    for (int frame = first; frame <= last + still; ++frame) study.frames.push_back(frame);
+    // The first frame is the same for all budgets.
+    study.held = spread_over({study.frames.begin() + 1, study.frames.end()}, options.truths);
     const std::vector<int> budgets =
         options.budgets.empty() ? default_budgets(study.surfels) : options.budgets;
     Progress progress("Budgets of " + scene.name,
@@ -138,7 +139,7 @@ BudgetStudy measure_budget(const Scene& scene, const BudgetOptions& options) {
     pathtracer::RenderOptions render;
     render.spp = options.truth_spp;
     for (const int frame : study.held) {
-        expected.truths.push_back(pathtracer::render(scene, frame, render).image);
+        expected.truths.push_back(pathtracer::render(scene, std::min(frame, last), render).image);
         progress.advance();
     }
     std::vector<Image> pictures;

@@ -141,22 +141,26 @@ EffectReason emitter_sampling(const Scene& scene) {
     return {name, true, of_all + ": paths aim at it too, by multiple importance sampling"};
 }
 
-EffectReason environment(const Scene& scene) {
+/// Proven only where it matters: the proof takes time.
+Enclosure enclosure_of_environment(const Scene& scene) {
+    return dark(scene.environment) ? Enclosure{} : enclosure(scene);
+}
+
+EffectReason environment(const Scene& scene, const Enclosure& closed) {
     if (dark(scene.environment)) {
         return {"environment", false, "it is black: rays that leave the scene bring no light"};
     }
-    const Enclosure closed = enclosure(scene);
     if (closed.proven) return {"environment", false, closed.why};
     return {"environment", true, "it shines on rays that leave the scene; " + closed.why};
 }
 
-EffectReason environment_image(const Scene& scene) {
+EffectReason environment_image(const Scene& scene, const Enclosure& closed) {
     const std::string name = "aiming at the environment";
     if (dark(scene.environment)) return {name, false, "it is black"};
     if (!scene.environment_image) {
         return {name, false, "it is alike all around: scattered paths leave in proportion to it"};
     }
-    if (enclosure(scene).proven) return {name, false, "the scene is closed: no ray leaves it"};
+    if (closed.proven) return {name, false, "the scene is closed: no ray leaves it"};
     const Panorama& panorama = *scene.environment_image->panorama;
     return {
         name, true,
@@ -214,6 +218,7 @@ EffectReason interreflection(const Scene& scene) {
 }  // namespace
 
 Effects effects_of(const Scene& scene) {
+    const Enclosure closed = enclosure_of_environment(scene);
     Effects effects;
     for (const Effect kind : {Effect::PointLights, Effect::SphereLights, Effect::SpotLights,
                               Effect::DirectionalLights}) {
@@ -222,12 +227,13 @@ Effects effects_of(const Scene& scene) {
     if (light_choice(scene).simulated) effects = effects | Effect::LightChoice;
     if (emitting_materials(scene) > 0) effects = effects | Effect::Emission;
     if (emitter_sampling(scene).simulated) effects = effects | Effect::EmitterSampling;
-    if (environment(scene).simulated) effects = effects | Effect::Environment;
-    if (environment_image(scene).simulated) effects = effects | Effect::EnvironmentImage;
+    if (environment(scene, closed).simulated) effects = effects | Effect::Environment;
+    if (environment_image(scene, closed).simulated) effects = effects | Effect::EnvironmentImage;
     return effects;
 }
 
 std::vector<EffectReason> effect_reasons(const Scene& scene) {
+    const Enclosure closed = enclosure_of_environment(scene);
     return {lights(scene, Effect::PointLights, "point light"),
             lights(scene, Effect::SphereLights, "sphere light"),
             lights(scene, Effect::SpotLights, "spot light"),
@@ -235,8 +241,8 @@ std::vector<EffectReason> effect_reasons(const Scene& scene) {
             light_choice(scene),
             emission(scene),
             emitter_sampling(scene),
-            environment(scene),
-            environment_image(scene),
+            environment(scene, closed),
+            environment_image(scene, closed),
             interreflection(scene),
             two_sided(scene),
             vertex_albedo(scene),

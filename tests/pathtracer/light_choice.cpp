@@ -225,6 +225,38 @@ TEST_CASE("choosing among lights and sampling all of them agree in every pixel",
     CHECK(chosen_variance < 15. * all_variance);
 }
 
+TEST_CASE("a strong light behind a wall does not hide the weak ones in front of it",
+          "[pathtracer][statistics]") {
+    Scene scene = test::mixed_room(8, 6);
+    for (Material& material : scene.materials) material.emission = Spectrum(0.f);
+    const int black = test::add_material(scene, Spectrum(0.f));
+    const glm::vec3 sealed(.6f, .6f, -.6f);
+    test::add_object(scene,
+                     Box{sealed - .1f, sealed + .1f, {black, black, black, black, black, black}});
+    Random random;
+    scene.lights = mixed_lights(12, .4f, random);
+    for (const float strength : {1e4f, 1e20f}) {
+        scene.lights.push_back(test::inverse_square(sealed, Spectrum(strength)));
+        const World world = world_at(scene, 0);
+        const RayTracer tracer(world);
+        const auto all = pixels_of(tracer, point_like, 1);
+        const auto chosen = pixels_of(tracer, point_like | Effect::LightChoice, 2);
+        double difference = 0., variance = 0.;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const glm::dvec3 its = chosen[i].sums.radiance() / double(chosen[i].sums.samples) -
+                                   all[i].sums.radiance() / double(all[i].sums.samples);
+            difference += its.x + its.y + its.z;
+            for (int c = 0; c < 3; ++c) {
+                variance += all[i].radiance_variance()[c] + chosen[i].radiance_variance()[c];
+            }
+        }
+        INFO("strength " << strength << ": " << difference << " in all, variance " << variance);
+        CHECK(variance > 0.);
+        // Channels share their light, so that their variances add up to a third at worst.
+        CHECK(std::abs(difference) < 4. * std::sqrt(3. * variance));
+    }
+}
+
 TEST_CASE("few lights are all sampled and many are chosen among", "[pathtracer]") {
     Random random;
     Scene scene = test::mixed_room(8, 6);

@@ -24,7 +24,7 @@ TEST_CASE("a study of budgets plays the motion and keeps to each budget", "[repo
     CHECK(study.last == 6);
     CHECK(study.frames.front() == 2);
     CHECK(study.frames.back() == 7);
-    CHECK(study.held == std::vector<int>{2, 5, 7});
+    CHECK(study.held == std::vector<int>{3, 5, 7});
     REQUIRE(study.runs.size() == 3);
     CHECK_FALSE(study.runs[0].budget);
     const BudgetRun& tight = study.runs[1];
