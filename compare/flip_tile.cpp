@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compare/flip_color.h"
+#include "scenes/wide.h"
 
 namespace plumbline::compare {
 
@@ -61,9 +62,8 @@ struct OpponentTile {
 ///
 /// Compiled for wide registers too, and chosen at run time; without fused multiply-add, so that
 /// the result has the same bits on every machine.
-[[gnu::target_clones("avx2", "default")]] void filter_row(const float* in, std::size_t stride,
-                                                          const std::vector<float>& kernel,
-                                                          float* out, int width) {
+PLUMBLINE_WIDE void filter_row(const float* in, std::size_t stride,
+                               const std::vector<float>& kernel, float* out, int width) {
     for (int x = 0; x < width; x += lanes) {
         std::array<float, lanes> sum;
         std::copy_n(out + x, lanes, sum.begin());

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "ddgi/float8.h"
+#include "scenes/wide.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -126,9 +127,9 @@ void ProbeRays::set_end(std::size_t probe, std::size_t ray, float length, const 
     at(probe, Z)[ray] = surfel->z;
 }
 
-[[gnu::target_clones("avx2", "default")]] void ProbeRays::mark_rays(
-    std::size_t probe, const glm::vec3& origin, const OrientedBox& box, std::uint8_t mark,
-    std::span<std::uint8_t> marks) const {
+PLUMBLINE_WIDE void ProbeRays::mark_rays(std::size_t probe, const glm::vec3& origin,
+                                         const OrientedBox& box, std::uint8_t mark,
+                                         std::span<std::uint8_t> marks) const {
     const Vector8 start = same_vector8(box.to_box(origin));
     for (std::size_t i = 0; i < rays_; i += float8_lanes) {
         const Vector8 direction =
@@ -139,9 +140,9 @@ void ProbeRays::set_end(std::size_t probe, std::size_t ray, float length, const 
     }
 }
 
-[[gnu::target_clones("avx2", "default")]] void ProbeRays::mark_shadows(
-    std::size_t probe, const LampWay& light, std::span<const OrientedBox> boxes, std::uint8_t mark,
-    std::span<std::uint8_t> marks) const {
+PLUMBLINE_WIDE void ProbeRays::mark_shadows(std::size_t probe, const LampWay& light,
+                                            std::span<const OrientedBox> boxes, std::uint8_t mark,
+                                            std::span<std::uint8_t> marks) const {
     for (std::size_t i = 0; i < rays_; i += float8_lanes) {
         const Mask8 there = load_float8(at(probe, HasSurfel) + i) > 0.f;
         if (!any(there)) continue;

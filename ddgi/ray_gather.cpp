@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ddgi/float8.h"
+#include "scenes/wide.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -56,8 +57,8 @@ void RayEnds::set(std::size_t probe, std::size_t ray, const glm::vec3& position,
         distance * distance / std::max(-glm::dot(n, direction), flattest);
 }
 
-[[gnu::target_clones("avx2", "default"), gnu::flatten]] RaySums RayEnds::along_rays(
-    std::size_t probe, const glm::vec3& n, const float* radiance) const {
+PLUMBLINE_WIDE [[gnu::flatten]] RaySums RayEnds::along_rays(std::size_t probe, const glm::vec3& n,
+                                                            const float* radiance) const {
     const float* dx = at(probe, Dx);
     const float* dy = at(probe, Dy);
     const float* dz = at(probe, Dz);
@@ -67,8 +68,9 @@ void RayEnds::set(std::size_t probe, std::size_t ray, const glm::vec3& position,
     });
 }
 
-[[gnu::target_clones("avx2", "default"), gnu::flatten]] RaySums RayEnds::from_point(
-    std::size_t probe, const glm::vec3& x, const glm::vec3& n, const float* radiance) const {
+PLUMBLINE_WIDE [[gnu::flatten]] RaySums RayEnds::from_point(std::size_t probe, const glm::vec3& x,
+                                                            const glm::vec3& n,
+                                                            const float* radiance) const {
     const float* ex = at(probe, X);
     const float* ey = at(probe, Y);
     const float* ez = at(probe, Z);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "pathtracer/hemisphere.h"
+#include "scenes/wide.h"
 
 namespace plumbline::pathtracer {
 

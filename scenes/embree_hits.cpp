@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scenes/embree_scene.h"
+#include "scenes/wide.h"
 
 namespace plumbline {
 

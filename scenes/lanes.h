@@ -6,16 +6,6 @@
 
 #include "scenes/geometry.h"
 
-/// For functions whose loops over lanes the compiler turns into vector instructions: compiled once
-/// for the widest registers known here and once for any x86-64, chosen when the program starts.
-/// Loops are marked `GCC ivdep`, since lanes never depend on each other. No fused operations: both
-/// give the same bits.
-#if defined(__x86_64__)
-#define PLUMBLINE_WIDE [[gnu::target_clones("avx2", "default")]]
-#else
-#define PLUMBLINE_WIDE
-#endif
-
 namespace plumbline {
 
 /// Rays handled side by side: so few that all that is known of them stays in the first-level cache

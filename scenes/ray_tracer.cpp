@@ -7,6 +7,7 @@
 
 #include "scenes/embree_scene.h"
 #include "scenes/ray_packets.h"
+#include "scenes/wide.h"
 
 namespace plumbline {
 namespace {
