@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "scenes/errors.h"
+#include "scenes/exr_header.h"
 #include "scenes/image.h"
 #include "scenes/image_format.h"
 #include "scenes/printable.h"
@@ -23,6 +24,22 @@ std::uint64_t most_values(const std::filesystem::path& path) {
     constexpr std::uint64_t of_any_file = 100'000'000;
     constexpr std::uint64_t a_byte = 16;
     return std::min<std::uint64_t>(most, of_any_file + a_byte * std::filesystem::file_size(path));
+}
+
+/// Refuses an EXR file whose headers alone would take more room than any picture may.
+void check_exr_header(const std::filesystem::path& path) {
+    constexpr std::uint64_t rows_at_once = 256;
+    const ExrHeader header = read_exr_header(path);
+    if (!header.fault.empty()) {
+        throw ImageError(path.string(), "not a readable picture: " + printable(header.fault),
+                         "write the file again");
+    }
+    const std::uint64_t most = most_values(path) / rows_at_once;
+    if (header.values_in_row > most) {
+        throw ImageError(path.string(),
+                         fmt::format("{} values in a row are too many", header.values_in_row),
+                         fmt::format("at most {} are read from a file of this size", most));
+    }
 }
 
 /// Refuses a part that is no plain picture, or that does not fit beside the values that are held
@@ -97,18 +114,35 @@ void place_channel(const OIIO::ImageSpec& spec, const Rows& rows, int c, bool de
     }
 }
 
-/// Reads rows of a part; those of a tiled one are whole tiles. Throws ImageError.
+/// Reads rows one by one. For several at once the library makes room for 256, which a file of a few
+/// bytes that announces millions of columns turns into gigabytes.
+bool read_one_by_one(OIIO::ImageInput& file, const OIIO::ImageSpec& spec, int begin, Rows& rows) {
+    const std::size_t row = rows.values.size() / static_cast<std::size_t>(rows.count);
+    for (int y = 0; y < rows.count; ++y) {
+        float* values = &rows.values[static_cast<std::size_t>(y) * row];
+        if (!file.read_scanline(begin + y, spec.z, OIIO::TypeDesc::FLOAT, values)) return false;
+    }
+    return true;
+}
+
+/// Reads rows of the part that the file stands at; those of a tiled one are whole tiles. Throws
+/// ImageError.
 void read_rows(OIIO::ImageInput& file, int part, const OIIO::ImageSpec& spec,
                const std::string& path, Rows& rows) {
+    constexpr OIIO::imagesize_t wide = 1 << 21;  // bytes: 256 rows of these take half a gigabyte
     const int begin = spec.y + rows.first;
     const int end = begin + rows.count;
     float* values = rows.values.data();
-    const bool read =
-        spec.tile_width > 0
-            ? file.read_tiles(part, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1,
-                              0, spec.nchannels, OIIO::TypeDesc::FLOAT, values)
-            : file.read_scanlines(part, 0, begin, end, spec.z, 0, spec.nchannels,
-                                  OIIO::TypeDesc::FLOAT, values);
+    bool read = false;
+    if (spec.tile_width > 0) {
+        read = file.read_tiles(part, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1,
+                               0, spec.nchannels, OIIO::TypeDesc::FLOAT, values);
+    } else if (spec.scanline_bytes(true) > wide) {
+        read = read_one_by_one(file, spec, begin, rows);
+    } else {
+        read = file.read_scanlines(part, 0, begin, end, spec.z, 0, spec.nchannels,
+                                   OIIO::TypeDesc::FLOAT, values);
+    }
     if (!read) {
         throw ImageError(path, "the pixels cannot be read: " + one_line(file.geterror()),
                          "write the file again");
@@ -179,6 +213,7 @@ Image read_image(const std::filesystem::path& path) {
                          fmt::format("give {}", image_formats));
     };
     if (format.empty()) refuse("its first bytes are of no format that is read");
+    if (format == "openexr") check_exr_header(path);
     const auto file = OIIO::ImageInput::create(format);
     if (!file) refuse(one_line(OIIO::geterror()));
     OIIO::ImageSpec as_is;
