@@ -212,3 +212,10 @@ TEST_CASE("whatever moved, once all had their turn no surfel tells of the budget
     }
     check_random_budget(options);
 }
+
+TEST_CASE("a thousand random frames are the same bytes with the cache: irradiance", "[ddgi]") {
+    DdgiOptions options;
+    options.model = "irradiance";
+    options.surfels = 16;
+    check_random_animation(options);
+}

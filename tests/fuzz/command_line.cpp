@@ -35,7 +35,8 @@ void command_line(Bytes words) {
     add_ddgi_commands(app);
     add_compare_commands(app);
     add_reports_commands(app);
-    for (CLI::App* command : app.get_subcommands({})) command->callback([] {});
+    // Called before any command's callback, which cannot be replaced: it owns the options' values.
+    app.parse_complete_callback([] { throw CLI::Success(); });
     const std::vector<std::string> texts = split(words);
     std::vector<const char*> arguments;
     for (const std::string& text : texts) arguments.push_back(text.c_str());
