@@ -166,7 +166,22 @@ ClosedForm under_light(const std::string& name, const std::string& formula, floa
                      share * E * 2. / std::sqrt(d2));
 }
 
+/// So many lights, from the floor's origin outward, that one is chosen at each surface.
+ClosedForm under_a_row_of_lights() {
+    Scene scene = floor_scene();
+    double E = 0.;
+    for (int i = 0; i < 20; ++i) {
+        const glm::vec3 position(float(i) * .25f, 1.f, 0.f);
+        scene.lights.push_back(inverse_square(position, Spectrum(.2f * float(i % 3 + 1))));
+        const double d2 = glm::dot(glm::dvec3(position), glm::dvec3(position));
+        E += double(scene.lights.back().intensity.x) / (d2 * std::sqrt(d2));
+    }
+    return lit_floor("twenty lights over a floor, one at a time", "(rho/pi) sum of I cos / d^2",
+                     "inverse-square and cosine law", scene, 0.f, E);
+}
+
 void add_lights(std::vector<ClosedForm>& forms) {
+    forms.push_back(under_a_row_of_lights());
     const PointLight point = inverse_square({0.f, 2.f, 0.f}, Spectrum(7.f));
     forms.push_back(under_light("point light over a floor", "(rho/pi) I cos / d^2", 1.5f, point));
     PointLight constant = point;

@@ -7,6 +7,7 @@
 
 #include "pathtracer/cone.h"
 #include "pathtracer/kernels.h"
+#include "pathtracer/light_choice.h"
 #include "pathtracer/passes.h"
 #include "pathtracer/simple_scenes.h"
 #include "pathtracer/statistics.h"
@@ -122,6 +123,8 @@ Measured measure(const ClosedForm& form, int batches) {
     }
     const Emitters emitters(world);
     if (has(effects, Effect::EmitterSampling)) options.emitters = &emitters;
+    const LightChoice lights(world);
+    if (has(effects, Effect::LightChoice)) options.lights = &lights;
     Measured measured;
     for_each_kernel(effects, [&]<Effects F>() {
         const PixelEstimate estimate = estimate_along<F>(tracer, form.ray, batches, options);
