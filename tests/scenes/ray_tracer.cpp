@@ -119,13 +119,26 @@ TEST_CASE("a point on a surface is not hidden by that surface at any scale", "[s
     const Box box{{-1.f, -1.f, -1.f}, {1.f, 1.f, 1.f}, {0, 0, 0, 0, 0, 0}};
     const World world = world_of(object_of(box, placed), material);
     const RayTracer tracer(world);
-    std::mt19937 random(7);
+    std::mt19937 random(Catch::rngSeed() + 7);
+    // A start within the error of an edge may lie beyond the neighbouring face: 16 roundings of
+    // coordinates of this size.
+    const float error = 16.f * 0x1p-24f * (shift + 2.f);
+    const auto near_edge = [&](const glm::vec3& position) {
+        const glm::vec3 local =
+            glm::abs(glm::inverse(placed.rotation) * (position - placed.translation) / scale);
+        const int close =
+            int(local.x > 1.f - error) + int(local.y > 1.f - error) + int(local.z > 1.f - error);
+        return close > 1;
+    };
     std::size_t blocked = 0;
     std::size_t escaped = 0;
+    std::size_t tried = 0;
     for (int i = 0; i < 20000; ++i) {
         const Ray ray{placed.translation, unit_direction(random)};
         const auto hit = tracer.intersect(ray, BackFaces::Hit);
         REQUIRE(hit);
+        if (near_edge(hit->position)) continue;
+        ++tried;
         const glm::vec3 start = offset_origin(*hit, hit->n());
         blocked += tracer.occluded(start, placed.translation) ? 1u : 0u;
         glm::vec3 onward = unit_direction(random);
@@ -133,8 +146,8 @@ TEST_CASE("a point on a surface is not hidden by that surface at any scale", "[s
         const auto next = tracer.intersect({start, onward}, BackFaces::Hit);
         escaped += next.has_value() && next->n() != hit->n() ? 0u : 1u;
     }
+    CHECK(tried > 19000);
     CHECK(blocked == 0);
-    // A ray that starts within the error of an edge may slip out beside the neighbouring face.
     CHECK(escaped == 0);
 }
 
