@@ -90,7 +90,7 @@ Finding evenness(const std::string& name, const std::function<glm::dvec2(int)>& 
     std::vector<double> observed(cells * cells, 0.);
     for (int i = 0; i < draws; ++i) {
         const glm::ivec2 cell = glm::clamp(glm::ivec2(draw(i) * double(cells)), 0, cells - 1);
-        observed[std::size_t(cell.y * cells + cell.x)] += 1.;
+        observed[std::size_t(cell.y) * cells + std::size_t(cell.x)] += 1.;
     }
     const std::vector<double> expected(observed.size(), double(draws) / (cells * cells));
     return {name, "chi-square of 16 x 16 cells", chi_square_z(observed, expected), sidak_limit(4)};

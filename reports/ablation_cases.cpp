@@ -63,6 +63,7 @@ std::vector<AblationCase> ablation_cases() {
 std::vector<AblationCase> ablation_cases(const std::vector<std::string>& names) {
     std::vector<AblationCase> cases = ablation_cases();
     std::vector<std::string> known;
+    known.reserve(cases.size());
     for (const AblationCase& one : cases) known.push_back(one.name);
     for (const std::string& name : names) {
         if (std::ranges::find(known, name) != known.end()) continue;

@@ -70,7 +70,7 @@ bool holds_display_values(const OIIO::ImageInput& file, const OIIO::ImageSpec& s
 }
 
 /// OpenImageIO scales integers to [0,1] when asked for floats: 32-bit numbers are scaled back.
-float as_stored(float value, OIIO::TypeDesc type) {
+float as_stored(float value, const OIIO::TypeDesc& type) {
     if (type != OIIO::TypeDesc::UINT32) return value;
     return static_cast<float>(
         std::round(static_cast<double>(value) * std::numeric_limits<std::uint32_t>::max()));
