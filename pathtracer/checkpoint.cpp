@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string format_line = "plumbline checkpoint 1";
+const std::string format_line = "plumbline checkpoint 2";
 
 // Written and read as bytes, by one program on one kind of machine (see provenance).
 static_assert(std::is_trivially_copyable_v<PixelEstimate>);
@@ -38,21 +38,27 @@ void for_each_row(const Provenance& provenance, Pixels& pixels, const Visit& vis
     }
 }
 
-std::string digest_of(const Provenance& provenance, const std::vector<PixelEstimate>& pixels) {
+std::string digest_of(const Provenance& provenance, const Gathered& gathered) {
     Digest digest;
-    for_each_row(provenance, pixels, [&](std::span<const PixelEstimate> row) { digest.add(row); });
+    for_each_row(provenance, gathered.pixels,
+                 [&](std::span<const PixelEstimate> row) { digest.add(row); });
+    digest.add(std::span<const std::uint64_t>(gathered.rays));
+    digest.add(std::span<const double>(gathered.allocation.shares));
     return fmt::format("{:016x}", digest.value());
 }
 
 nlohmann::json head_of(const Checkpoint& checkpoint, const Provenance& provenance) {
-    const auto& [pixels, non_finite, rays] = checkpoint.gathered;
+    const auto& [pixels, non_finite, rays, samples, allocation] = checkpoint.gathered;
     nlohmann::json head = {{"provenance", provenance},
                            {"pixels", pixels.size()},
                            {"pixel_bytes", sizeof(PixelEstimate)},
                            {"seconds", checkpoint.seconds},
                            {"rays", rays},
+                           {"samples", samples},
+                           {"pilot", allocation.pilot},
+                           {"shares", allocation.shares},
                            {"non_finite", non_finite.samples},
-                           {"digest", digest_of(provenance, pixels)}};
+                           {"digest", digest_of(provenance, checkpoint.gathered)}};
     if (non_finite.first) head["first_non_finite"] = {non_finite.first->x, non_finite.first->y};
     return head;
 }
@@ -67,10 +73,13 @@ ImageError damaged(const fs::path& file) {
 Checkpoint read_after_head(std::istream& stream, const nlohmann::json& head, const fs::path& file,
                            const Provenance& provenance) {
     Checkpoint checkpoint;
-    auto& [pixels, non_finite, rays] = checkpoint.gathered;
+    auto& [pixels, non_finite, rays, samples, allocation] = checkpoint.gathered;
     if (head.at("pixel_bytes") != sizeof(PixelEstimate)) throw damaged(file);
     pixels.resize(head.at("pixels"));
-    rays = head.at("rays");
+    rays = head.at("rays").get<std::vector<std::uint64_t>>();
+    samples = head.at("samples");
+    allocation.pilot = head.at("pilot");
+    allocation.shares = head.at("shares").get<std::vector<double>>();
     non_finite.samples = head.at("non_finite");
     if (head.contains("first_non_finite")) {
         const auto& first = head["first_non_finite"];
@@ -81,7 +90,8 @@ Checkpoint read_after_head(std::istream& stream, const nlohmann::json& head, con
         stream.read(reinterpret_cast<char*>(row.data()),
                     static_cast<std::streamsize>(row.size_bytes()));
     });
-    if (!stream || digest_of(provenance, pixels) != head.at("digest")) throw damaged(file);
+    if (!stream || digest_of(provenance, checkpoint.gathered) != head.at("digest"))
+        throw damaged(file);
     return checkpoint;
 }
 

@@ -10,8 +10,9 @@ namespace plumbline::pathtracer {
 
 /// A render in the making, as kept in a file: 200 bytes for each pixel of its shard.
 ///
-/// The file is a line that names the format, a line of JSON (provenance, seconds, counts, a digest
-/// of the rest) and the PixelEstimates of the shard's tiles as this program holds them in memory.
+/// The file is a line that names the format, a line of JSON (provenance, seconds, counts, the
+/// allocation, a digest of the rest) and the PixelEstimates of the shard's tiles as this program
+/// holds them in memory.
 struct Checkpoint {
     Gathered gathered;
     double seconds = 0.;  ///< spent so far

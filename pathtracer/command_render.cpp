@@ -37,7 +37,11 @@ void check_output(const std::string& output) {
 
 void print_json(const Scene& scene, const BounceLimit& limit, const RenderResult& result) {
     nlohmann::ordered_json json;
-    json["spp"] = result.spp;
+    const auto& [mean, fewest, most] = result.counts;
+    json["spp"] =
+        fewest == most ? nlohmann::ordered_json(result.spp) : nlohmann::ordered_json(mean);
+    json["fewest_samples"] = fewest;
+    json["most_samples"] = most;
     json["seconds"] = result.seconds;
     json["rays"] = result.rays;
     json["rays_per_second"] = double(result.rays) / result.seconds;
@@ -57,10 +61,12 @@ void print_json(const Scene& scene, const BounceLimit& limit, const RenderResult
 }
 
 void tell(const RenderResult& result, const std::string& output) {
+    const auto& [mean, fewest, most] = result.counts;
+    const std::string spread = fewest == most ? "" : fmt::format(" ({} to {})", fewest, most);
     fmt::print(stderr,
-               "{}: {} samples a pixel in {:.2f} s, {:.1f} million rays/s, relMSE about {:.2g}\n",
-               output, result.spp, result.seconds, double(result.rays) / result.seconds * 1e-6,
-               result.relmse_estimate);
+               "{}: {} samples a pixel{} in {:.2f} s, {:.1f} million rays/s, relMSE about {:.2g}\n",
+               output, result.spp, spread, result.seconds,
+               double(result.rays) / result.seconds * 1e-6, result.relmse_estimate);
     if (const auto& first = result.non_finite.first) {
         fmt::print(
             stderr,
@@ -126,6 +132,8 @@ void add_render_command(CLI::App& app) {
         "--shard",
         [&options](const std::string& text) { options.shard = parsed_shard("--shard", text); },
         "Render part I of N, as I/N; 'merge' joins them");
+    command.add_flag("--adaptive", options.adaptive,
+                     "More samples where the error falls most, their mean as asked");
     CheckpointOptions& checkpoints = arguments->checkpoints;
     command.add_flag("--resume", checkpoints.resume, "Go on where the same render was interrupted");
     command

@@ -53,16 +53,20 @@ glm::dvec3 PixelEstimate::variance_of_mean(const glm::dvec3& m2) const {
     return m2 / (double(groups - 1) * double(sums.samples));
 }
 
-double relmse_estimate(std::span<const PixelEstimate> pixels) {
+double relmse_estimate(const PixelEstimate& pixel) {
     constexpr double epsilon = .01;  // of relMSE's definition
+    const glm::dvec3 mean = pixel.sums.radiance() / double(pixel.sums.samples);
+    const glm::dvec3 ratio = pixel.radiance_variance() / (mean * mean + epsilon);
+    return (ratio.x + ratio.y + ratio.z) / 3.;
+}
+
+double relmse_estimate(std::span<const PixelEstimate> pixels) {
     double sum = 0.;
     std::size_t finite = 0;
     for (const PixelEstimate& pixel : pixels) {
-        const glm::dvec3 mean = pixel.sums.radiance() / double(pixel.sums.samples);
-        const glm::dvec3 ratio = pixel.radiance_variance() / (mean * mean + epsilon);
-        const double mean_ratio = (ratio.x + ratio.y + ratio.z) / 3.;
-        if (!std::isfinite(mean_ratio)) continue;
-        sum += mean_ratio;
+        const double relmse = relmse_estimate(pixel);
+        if (!std::isfinite(relmse)) continue;
+        sum += relmse;
         ++finite;
     }
     return finite > 0 ? sum / double(finite) : std::numeric_limits<double>::quiet_NaN();

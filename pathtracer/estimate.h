@@ -53,9 +53,12 @@ struct PixelEstimate {
     glm::dvec3 variance_of_mean(const glm::dvec3& m2) const;
 };
 
-/// Expected relMSE of the radiance layer against the truth: the mean over pixels and channels of
-/// variance of the mean / (mean^2 + 0.01), pixels that are not finite left out. NaN with fewer
-/// than two groups a pixel. The same bits whatever the threads.
+/// Expected relMSE of a pixel's radiance against the truth: the mean over channels of variance of
+/// the mean / (mean^2 + 0.01). Not finite with fewer than two groups, or if the pixel is not.
+double relmse_estimate(const PixelEstimate& pixel);
+
+/// Expected relMSE of the radiance layer: the mean over its pixels, those that are not finite left
+/// out. NaN with fewer than two groups a pixel. The same bits whatever the threads.
 double relmse_estimate(std::span<const PixelEstimate> pixels);
 
 }  // namespace plumbline::pathtracer

@@ -63,8 +63,8 @@ std::vector<PixelEstimate> pixels_of(std::uint64_t seed,
     Passes passes(tracer,
                   Effects{} | Effect::PointLights | Effect::Emission | Effect::EmitterSampling,
                   options, seed);
-    Progress progress("", passes.tiles());
-    passes.add({0, samples, Sampler::batch_size}, progress);
+    Progress progress("", passes.steps(samples));
+    passes.add({samples, Sampler::batch_size}, progress);
     return passes.pixels();
 }
 

@@ -42,6 +42,7 @@ std::uint64_t digest_of(Scene scene) {
 std::string options_text(const RenderOptions& options) {
     std::string text = "max_bounces=";
     text += options.max_bounces ? std::to_string(*options.max_bounces) : "unlimited";
+    if (options.adaptive) text += " adaptive";
     if (options.seconds) return text + fmt::format(" time={}", *options.seconds);
     if (options.target_relmse)
         return text + fmt::format(" target_relmse={}", *options.target_relmse);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "pathtracer/bounce_limit.h"
 #include "pathtracer/checkpoint.h"
@@ -84,9 +85,10 @@ std::uint64_t object_rays(const std::vector<PixelEstimate>& pixels) {
 void check_shard(const Scene& scene, const RenderOptions& options) {
     const Shard& shard = options.shard;
     if (shard.count == 1) return;
-    if (options.seconds || options.target_relmse) {
+    if (options.adaptive || options.seconds || options.target_relmse) {
         throw UsageError("--shard", "shards of one picture need equal samples a pixel",
-                         "give --spp in place of --time or --target-relmse");
+                         options.adaptive ? "leave out --adaptive"
+                                          : "give --spp in place of --time or --target-relmse");
     }
     const int tiles = Tiles(scene.camera.width, scene.camera.height).count();
     if (shard.count > tiles) {
@@ -95,12 +97,42 @@ void check_shard(const Scene& scene, const RenderOptions& options) {
     }
 }
 
+void check_adaptive(const RenderOptions& options) {
+    if (!options.adaptive || options.spp >= fewest_to_allocate) return;
+    throw UsageError("--adaptive",
+                     fmt::format("{} samples a pixel leave none to share out", options.spp),
+                     fmt::format("give --spp {} or more", fewest_to_allocate));
+}
+
+SampleCounts counts_of(const std::vector<PixelEstimate>& pixels) {
+    SampleCounts counts{.fewest = std::numeric_limits<std::uint32_t>::max()};
+    double pixels_with_any = 0.;
+    for (const PixelEstimate& pixel : pixels) {
+        const std::uint32_t samples = pixel.sums.samples;
+        if (samples == 0) continue;  // of another shard
+        counts.mean += samples;
+        counts.fewest = std::min(counts.fewest, samples);
+        counts.most = std::max(counts.most, samples);
+        ++pixels_with_any;
+    }
+    counts.mean /= pixels_with_any;
+    return counts;
+}
+
+std::string adaptive_text(int pilot, const SampleCounts& counts) {
+    return fmt::format(
+        "{} to {} samples a pixel; each half-tile's share by the root of relMSE over rays of the "
+        "other's first {} samples a pixel",
+        counts.fewest, counts.most, pilot);
+}
+
 /// Adds passes until the schedule ends, or false if interrupted.
 bool add_all(Passes& passes, const RenderOptions& options, Keeper& keeper, const Stopwatch& watch) {
     Schedule schedule(options);
-    Progress progress("", 1, schedule.passes_done(passes) * passes.tiles());
+    Progress progress("", 1, passes.steps(passes.samples()));
     while (const std::optional<Pass> pass = schedule.next(passes, watch.seconds())) {
-        progress.revise(schedule.label(), schedule.passes_expected() * passes.tiles());
+        if (schedule.pilot_ends(passes)) passes.share_out();
+        progress.revise(schedule.label(), passes.steps(schedule.samples_expected()));
         while (!passes.add(*pass, progress, [&] { return keeper.interrupted() || keeper.due(); })) {
             keeper.keep(passes, watch.seconds());
             if (keeper.interrupted()) return false;
@@ -114,6 +146,7 @@ bool add_all(Passes& passes, const RenderOptions& options, Keeper& keeper, const
 std::optional<RenderResult> render(const Scene& scene, int frame, const RenderOptions& options,
                                    const CheckpointOptions& checkpoints) {
     check_shard(scene, options);
+    check_adaptive(options);
     const Stopwatch setting_up;
     const Provenance provenance = provenance_of(scene, frame, options);
     Keeper keeper(checkpoints, provenance);
@@ -121,7 +154,8 @@ std::optional<RenderResult> render(const Scene& scene, int frame, const RenderOp
     const RayTracer tracer(world);
     const Effects effects = effects_of(scene);
     const BounceLimit limit = bounce_limit(world, effects, options);
-    Passes passes(tracer, effects, path_options(options, limit), options.seed, options.shard);
+    Passes passes(tracer, effects, path_options(options, limit), options.seed, options.shard,
+                  options.adaptive ? Sampling::Adaptive : Sampling::Even);
     const Stopwatch watch(keeper.resume(passes) + setting_up.seconds());
     if (!add_all(passes, options, keeper, watch)) return std::nullopt;
 
@@ -130,11 +164,15 @@ std::optional<RenderResult> render(const Scene& scene, int frame, const RenderOp
                         .seconds = watch.seconds(),
                         .rays = passes.rays() + object_rays(passes.pixels()),
                         .relmse_estimate = relmse_estimate(passes.pixels()),
-                        .non_finite = passes.non_finite()};
+                        .non_finite = passes.non_finite(),
+                        .counts = counts_of(passes.pixels())};
     const bool by_batches = passes.first_pixel().groups < passes.first_pixel().sums.samples;
     auto& metadata = result.image.metadata;
     metadata = provenance;
     metadata["plumbline:spp"] = std::to_string(result.spp);
+    if (const Allocation& allocation = passes.gathered().allocation; !allocation.shares.empty()) {
+        metadata["plumbline:adaptive"] = adaptive_text(allocation.pilot, result.counts);
+    }
     metadata["plumbline:bounces"] =
         limit.max_bounces ? fmt::format("{}: {}", *limit.max_bounces, limit.why) : limit.why;
     metadata["plumbline:seconds"] = fmt::format("{:.3f}", result.seconds);

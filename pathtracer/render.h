@@ -26,6 +26,9 @@ struct RenderOptions {
     std::optional<int> max_bounces{};
     std::uint64_t seed = 0;
     Shard shard{};  ///< of one of several renders of `spp` samples, to be merged
+    /// Shares the samples after a pilot out, where the error falls most for the rays that it takes
+    /// (see Allocation); `spp` is then their mean.
+    bool adaptive = false;
 };
 
 /// How a long render outlives its process.
@@ -42,16 +45,24 @@ struct NonFinite {
     std::optional<glm::ivec2> first;  ///< x, y of the first such pixel, row by row from the top
 };
 
+/// Samples a pixel, over the pixels of the picture or of its shard.
+struct SampleCounts {
+    double mean = 0.;
+    std::uint32_t fewest = 0;
+    std::uint32_t most = 0;
+};
+
 /// A finished picture with the layers that the README lists, and what it took.
 struct RenderResult {
     Image image;
-    int spp;
+    int spp;  ///< those of the last whole pass; the mean if adaptive, to a batch of one half-tile
     double seconds;
     std::uint64_t rays;  ///< camera, bounce and shadow rays
     /// Of the radiance layer, from its variance of the mean: see relmse_estimate(). NaN with one
     /// sample a pixel, which cannot tell; the picture then has no variance layers.
     double relmse_estimate;
     NonFinite non_finite;
+    SampleCounts counts;
 };
 
 /// Renders one frame of the scene; same seed, same pixels, whatever the threads.
@@ -59,7 +70,7 @@ struct RenderResult {
 /// Samples are added 16 a pixel at a time, over the whole picture. With `seconds` or
 /// `target_relmse`, the first 16 always, then as long as the time for 16 more is left and the
 /// target is not reached. A shard's picture has samples in its own tiles alone, and zeros
-/// elsewhere.
+/// elsewhere. Throws UsageError if a shard, or `adaptive`, is not possible with the other options.
 RenderResult render(const Scene& scene, int frame, const RenderOptions& options);
 
 /// The same, with checkpoints: killed at any moment and resumed it gives the same pixels, and

@@ -14,10 +14,6 @@ constexpr int batch = Sampler::batch_size;
 /// Below two batches there is only the spread of single samples to tell the variance from.
 constexpr int fewest_for_batches = 2 * batch;
 
-std::uint64_t passes_of(double samples) {
-    return static_cast<std::uint64_t>(std::ceil(std::max(samples, 1.) / batch));
-}
-
 }  // namespace
 
 std::optional<Pass> Schedule::next(const Passes& passes, double seconds) {
@@ -25,13 +21,9 @@ std::optional<Pass> Schedule::next(const Passes& passes, double seconds) {
     // Within a pass, the decision to take it stands.
     if (passes.between_passes() && done(passes, samples, seconds)) return std::nullopt;
     look_ahead(passes, samples, seconds);
-    if (counted() && options_.spp < fewest_for_batches) return Pass{0, options_.spp, 1};
+    if (counted() && options_.spp < fewest_for_batches) return Pass{options_.spp, 1};
     const bool singly = samples == 0 && !counted();
-    return Pass{samples, std::min(samples + batch, options_.spp), singly ? 1 : batch};
-}
-
-std::uint64_t Schedule::passes_done(const Passes& passes) const {
-    return static_cast<std::uint64_t>(passes.samples() / batch);
+    return Pass{std::min(samples + batch, options_.spp), singly ? 1 : batch};
 }
 
 bool Schedule::done(const Passes& passes, int samples, double seconds) const {
@@ -40,7 +32,9 @@ bool Schedule::done(const Passes& passes, int samples, double seconds) const {
     if (options_.target_relmse) {
         return relmse_estimate(passes.pixels()) <= *options_.target_relmse;
     }
-    return options_.seconds && seconds * double(samples + batch) / samples > *options_.seconds;
+    if (!options_.seconds) return false;
+    const double more = passes.rays_to(samples + batch) / double(passes.rays());
+    return seconds * (1. + more) > *options_.seconds;
 }
 
 void Schedule::look_ahead(const Passes& passes, int samples, double seconds) {
@@ -60,7 +54,7 @@ void Schedule::look_ahead(const Passes& passes, int samples, double seconds) {
         }
         expected = std::clamp(expected, double(samples), double(options_.spp));
     }
-    expected_ = counted() && options_.spp < fewest_for_batches ? 1 : passes_of(expected);
+    expected_ = static_cast<int>(std::ceil(expected));
 }
 
 }  // namespace plumbline::pathtracer

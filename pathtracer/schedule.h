@@ -19,10 +19,13 @@ class Schedule {
     /// The next pass, or none after the last. `seconds` have been spent so far.
     std::optional<Pass> next(const Passes& passes, double seconds);
 
-    /// Whole passes that `passes` holds.
-    std::uint64_t passes_done(const Passes& passes) const;
-    /// Passes in all, as far as one can tell: variance falls as one over the samples.
-    std::uint64_t passes_expected() const { return expected_; }
+    /// Whether what `passes` holds is the pilot of an adaptive render.
+    bool pilot_ends(const Passes& passes) const {
+        return options_.adaptive && passes.samples() == pilot_samples(options_.spp);
+    }
+
+    /// Samples a pixel in all, as far as one can tell: variance falls as one over the samples.
+    int samples_expected() const { return expected_; }
     /// Samples done and their error, for people.
     const std::string& label() const { return label_; }
 
@@ -32,7 +35,7 @@ class Schedule {
     void look_ahead(const Passes& passes, int samples, double seconds);
 
     const RenderOptions& options_;
-    std::uint64_t expected_ = 1;
+    int expected_ = 1;
     std::string label_;
 };
 

@@ -31,4 +31,21 @@ std::vector<int> Tiles::of(const Shard& shard) const {
     return tiles;
 }
 
+std::vector<Tiles::Part> Tiles::parts_of(const Shard& shard) const {
+    std::vector<Part> parts;
+    for (const int tile : of(shard)) parts.push_back({tile, {}, bounds(tile)});
+    return parts;
+}
+
+std::vector<Tiles::Part> Tiles::halves() const {
+    std::vector<Part> halves;
+    for (int tile = 0; tile < count(); ++tile) {
+        for (const int colour : {0, 1}) {
+            const Part half{tile, colour, bounds(tile)};
+            if (half.pixels() > 0) halves.push_back(half);
+        }
+    }
+    return halves;
+}
+
 }  // namespace plumbline::pathtracer

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 namespace plumbline::pathtracer {
@@ -24,6 +26,37 @@ class Tiles {
         int left, top, right, bottom;  ///< right and bottom are the first pixels outside
     };
 
+    /// A tile, or its pixels on one colour of a chessboard: (x + y) % 2 == colour.
+    struct Part {
+        int tile;
+        std::optional<int> colour;
+        Bounds bounds;  ///< of the tile
+
+        int pixels() const {
+            const int all = (bounds.right - bounds.left) * (bounds.bottom - bounds.top);
+            if (!colour) return all;
+            return (bounds.left + bounds.top) % 2 == *colour ? (all + 1) / 2 : all / 2;
+        }
+        glm::ivec2 first_pixel() const {
+            const int x = left_end(bounds.top);
+            return x < bounds.right ? glm::ivec2(x, bounds.top)
+                                    : glm::ivec2(bounds.left, bounds.top + 1);
+        }
+        /// Calls visit(glm::ivec2) for its pixels in the rows [top, bottom), row by row.
+        template <typename Visit>
+        void for_each_pixel(int top, int bottom, const Visit& visit) const {
+            const int step = colour ? 2 : 1;
+            for (int y = top; y < bottom; ++y) {
+                for (int x = left_end(y); x < bounds.right; x += step) visit(glm::ivec2(x, y));
+            }
+        }
+
+     private:
+        int left_end(int y) const {
+            return colour ? bounds.left + (bounds.left + y + *colour) % 2 : bounds.left;
+        }
+    };
+
     Tiles(int width, int height) : width_(width), height_(height) {}
 
     int count() const { return along(width_) * along(height_); }
@@ -38,6 +71,11 @@ class Tiles {
     /// size by one tile at most, and are each spread over the whole picture, so that they take
     /// about the same time. Empty for the last ones if there are more shards than tiles.
     std::vector<int> of(const Shard& shard) const;
+
+    /// These tiles as parts.
+    std::vector<Part> parts_of(const Shard& shard) const;
+    /// The halves of all tiles in their order, colour 0 before 1; one pixel has but one half.
+    std::vector<Part> halves() const;
 
  private:
     static int along(int pixels) { return (pixels + side - 1) / side; }

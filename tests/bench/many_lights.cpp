@@ -66,8 +66,8 @@ void lights(benchmark::State& state) {
     double relmse = 0.;
     for (auto _ : state) {
         Passes passes(tracer, effects, {}, 0);
-        Progress progress("benchmark", passes.tiles());
-        passes.add({0, spp, Sampler::batch_size}, progress);
+        Progress progress("benchmark", passes.steps(spp));
+        passes.add({spp, Sampler::batch_size}, progress);
         relmse = relmse_estimate(passes.pixels());
         state.counters["rays"] = double(passes.rays());
     }

@@ -118,8 +118,8 @@ void render(benchmark::State& state) {
     double relmse = 0.;
     for (auto _ : state) {
         Passes passes(work.tracer, work.effects, {}, 0);
-        Progress progress("benchmark", passes.tiles());
-        passes.add({0, spp, Sampler::batch_size}, progress);
+        Progress progress("benchmark", passes.steps(spp));
+        passes.add({spp, Sampler::batch_size}, progress);
         rays = passes.rays();
         relmse = relmse_estimate(passes.pixels());
     }
@@ -136,8 +136,8 @@ void kernel(benchmark::State& state) {
     Progress::silence();
     for (auto _ : state) {
         Passes passes(work.tracer, effects, {}, 0);
-        Progress progress("benchmark", passes.tiles());
-        passes.add({0, Sampler::batch_size, Sampler::batch_size}, progress);
+        Progress progress("benchmark", passes.steps(Sampler::batch_size));
+        passes.add({Sampler::batch_size, Sampler::batch_size}, progress);
     }
     state.SetLabel(names_of(effects));
 }

@@ -87,8 +87,8 @@ TEST_CASE("a picture that stops at its limit lacks less than the bound in every 
         path.max_scatterings = max_scatterings;
         path.roulette = false;
         Passes passes(tracer, effects_of(scene), path, 0);
-        Progress progress("test", passes.tiles());
-        passes.add({0, 64, Sampler::batch_size}, progress);
+        Progress progress("test", passes.steps(64));
+        passes.add({64, Sampler::batch_size}, progress);
         return passes.pixels();
     };
     const auto stopped = pixels(*limit.max_bounces + 1);

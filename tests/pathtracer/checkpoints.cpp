@@ -69,6 +69,15 @@ TEST_CASE("a render resumed in the midst of its passes gives the same bits", "[p
         options.spp = 1 << 20;
         options.target_relmse = .01;
     }
+    SECTION("adaptive") {
+        options.spp = 80;
+        options.adaptive = true;
+    }
+    SECTION("adaptive until an error is reached") {
+        options.spp = 1 << 20;
+        options.target_relmse = .0008;
+        options.adaptive = true;
+    }
     SECTION("a shard") {
         options.spp = 48;
         options.shard = {2, 2};
@@ -83,6 +92,7 @@ TEST_CASE("a render resumed in the midst of its passes gives the same bits", "[p
     CHECK(resumed.rays == whole.rays);
     CHECK(resumed.spp == whole.spp);
     CHECK(resumed.relmse_estimate == whole.relmse_estimate);
+    CHECK((whole.counts.fewest < whole.counts.most) == options.adaptive);
 }
 
 TEST_CASE("samples that are not finite are counted across interruptions", "[pathtracer]") {
@@ -137,6 +147,7 @@ TEST_CASE("a checkpoint of another render is refused with the reason", "[pathtra
     refused(scene, {.spp = 40, .seed = 1}, "its seed is '0', not '1'");
     refused(scene, {.spp = 48}, "its options are");
     refused(scene, {.spp = 40, .max_bounces = 1}, "its options are");
+    refused(scene, {.spp = 48, .adaptive = true}, "'max_bounces=unlimited adaptive spp=48'");
     refused(scene, {.spp = 40, .shard = {1, 2}}, "its shard is '1/1', not '1/2'");
     refused(test::mixed_room(20, 32), options, "its size is '32x20'");
     Scene other = scene;
@@ -159,10 +170,10 @@ TEST_CASE("a render killed at random moments and resumed gives the same bits",
           "[pathtracer][commands]") {
     const TemporaryFolder folder;
     const auto command = [&](const std::string& name) {
+        // Its pilot is even sampling.
         return std::vector<std::string>{
-            "room-with-door",        "--size", "80x45",    "--spp",   "96",
-            "--checkpoint-every",    "0.01",   "--resume", "--quiet", "-o",
-            (folder / name).string()};
+            "room-with-door",     "--size", "80x45",    "--spp",   "96", "--adaptive",
+            "--checkpoint-every", "0.01",   "--resume", "--quiet", "-o", (folder / name).string()};
     };
     REQUIRE(ended(start_render(command("whole.exr"))) == 0);
     std::mt19937 random(3);

@@ -62,8 +62,8 @@ std::vector<PixelEstimate> pixels_of(const Stage& stage, Techniques techniques,
     constexpr int spp = 256 * Sampler::batch_size;
     constexpr Effects effects = Effects{} | Effect::Emission | Effect::EmitterSampling;
     Passes passes(stage.tracer, effects, {.techniques = techniques}, seed);
-    Progress progress("test", passes.tiles());
-    passes.add({0, spp, Sampler::batch_size}, progress);
+    Progress progress("test", passes.steps(spp));
+    passes.add({spp, Sampler::batch_size}, progress);
     return passes.pixels();
 }
 

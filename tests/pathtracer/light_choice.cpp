@@ -62,8 +62,8 @@ std::vector<PixelEstimate> pixels_of(const RayTracer& tracer, Effects effects, s
     Progress::silence();
     constexpr int spp = 64 * Sampler::batch_size;
     Passes passes(tracer, effects, {}, seed);
-    Progress progress("test", passes.tiles());
-    passes.add({0, spp, Sampler::batch_size}, progress);
+    Progress progress("test", passes.steps(spp));
+    passes.add({spp, Sampler::batch_size}, progress);
     return passes.pixels();
 }
 

@@ -131,8 +131,8 @@ TEST_CASE("roulette changes the mean of no pixel", "[pathtracer][statistics]") {
     const RayTracer tracer(world);
     const auto gathered = [&](const PathOptions& options, std::uint64_t seed) {
         Passes passes(tracer, test::all_effects, options, seed);
-        Progress progress("test", passes.tiles());
-        passes.add({0, spp, Sampler::batch_size}, progress);
+        Progress progress("test", passes.steps(spp));
+        passes.add({spp, Sampler::batch_size}, progress);
         return passes.pixels();
     };
     const auto full = gathered({.max_scatterings = 30, .roulette = false}, 1);
@@ -163,8 +163,8 @@ TEST_CASE("code for effects that the scene lacks changes no bit", "[pathtracer]"
     const RayTracer tracer(world);
     const auto bits = [&](Effects effects) {
         Passes passes(tracer, effects, test::bounces(3), 0);
-        Progress progress("test", passes.tiles());
-        passes.add({0, 32, Sampler::batch_size}, progress);
+        Progress progress("test", passes.steps(32));
+        passes.add({32, Sampler::batch_size}, progress);
         std::vector<double> sums;
         for (const PixelEstimate& pixel : passes.pixels()) {
             for (const int c : {0, 1, 2}) sums.push_back(pixel.sums.radiance()[c]);
