@@ -128,7 +128,25 @@ void render(benchmark::State& state) {
         benchmark::Counter(double(state.iterations()) / relmse, benchmark::Counter::kIsRate);
 }
 
-/// The same render by a kernel that may do more than the scene calls for: what it takes longer than
+/// Four times as many samples, after the first quarter all even or shared out.
+void adaptive(benchmark::State& state) {
+    const Workload& work = workload(state.range(0));
+    const Sampling sampling = state.range(1) == 0 ? Sampling::Even : Sampling::Adaptive;
+    Progress::silence();
+    double relmse = 0.;
+    for (auto _ : state) {
+        Passes passes(work.tracer, work.effects, {}, 0, {}, sampling);
+        Progress progress("benchmark", passes.steps(4 * spp));
+        passes.add({spp, Sampler::batch_size}, progress);
+        if (sampling == Sampling::Adaptive) passes.share_out();
+        passes.add({4 * spp, Sampler::batch_size}, progress);
+        relmse = relmse_estimate(passes.pixels());
+    }
+    state.counters["efficiency"] =
+        benchmark::Counter(double(state.iterations()) / relmse, benchmark::Counter::kIsRate);
+}
+
+/// A render by a kernel that may do more than the scene calls for: what it takes longer than
 /// the scene's own is the cost of effects that the scene lacks, were they not compiled out.
 void kernel(benchmark::State& state) {
     const Workload& work = workload(state.range(0));
@@ -178,6 +196,12 @@ BENCHMARK(render)
     ->ArgNames({"scene"})
     ->Arg(0)
     ->Arg(1)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(adaptive)
+    ->ArgNames({"scene", "adaptive"})
+    ->ArgsProduct({{0, 1}, {0, 1}})
     ->UseRealTime()
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
