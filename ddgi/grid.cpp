@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ddgi/grid_cell.h"
 #include "scenes/errors.h"
 
 namespace plumbline::ddgi {
@@ -13,18 +14,6 @@ namespace {
 /// A spacing that divides the extent up to rounding adds no cell.
 constexpr float division_tolerance = 1e-4f;
 constexpr float most_probes_along_an_axis = 1024.f;
-
-/// A point, clamped into the grid, in cells from its origin.
-glm::vec3 place_in(const ProbeGrid& grid, const glm::vec3& point) {
-    return glm::clamp((point - grid.origin) / grid.spacing, glm::vec3(0.f),
-                      glm::vec3(grid.counts - 1));
-}
-
-/// The lower corner of the cell at a place_in(); a point on the last layer belongs to the cell
-/// before it.
-glm::ivec3 cell_around(const ProbeGrid& grid, const glm::vec3& place) {
-    return glm::max(glm::min(glm::ivec3(place), grid.counts - 2), 0);
-}
 
 }  // namespace
 
@@ -68,21 +57,6 @@ std::uint32_t cell_probe(const ProbeGrid& grid, const glm::vec3& point) {
     return probe_index(grid, cell_around(grid, place_in(grid, point)));
 }
 
-std::array<glm::vec3, 8> neighbour_positions(const ProbeGrid& grid, const glm::vec3& point) {
-    const glm::ivec3 lower = cell_around(grid, place_in(grid, point));
-    // Computed as probe_position() does, so that no bit differs.
-    const glm::vec3 at_lower = grid.origin + grid.spacing * glm::vec3(lower);
-    const glm::vec3 at_upper =
-        grid.origin + grid.spacing * glm::vec3(glm::min(lower + 1, grid.counts - 1));
-    std::array<glm::vec3, 8> positions;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        positions[corner] = {(corner >> 2u & 1u) != 0 ? at_upper.x : at_lower.x,
-                             (corner >> 1u & 1u) != 0 ? at_upper.y : at_lower.y,
-                             (corner & 1u) != 0 ? at_upper.z : at_lower.z};
-    }
-    return positions;
-}
-
 ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point) {
     return probe_neighbours(grid, point, point);
 }
@@ -90,7 +64,7 @@ ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point) 
 ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point,
                                  const glm::vec3& biased) {
     const glm::ivec3 base = cell_around(grid, place_in(grid, point));
-    const glm::vec3 upper = glm::clamp(place_in(grid, biased) - glm::vec3(base), 0.f, 1.f);
+    const glm::vec3 upper = upper_weights(place_in(grid, biased), base);
     const glm::vec3 lower = 1.f - upper;
 
     ProbeNeighbours result;

@@ -35,9 +35,6 @@ struct ProbeNeighbours {
 /// The lowest of the eight probes around a point: which cell it is in.
 std::uint32_t cell_probe(const ProbeGrid& grid, const glm::vec3& point);
 
-/// Where the eight probes around a point stand, world space: in the order of probe_neighbours().
-std::array<glm::vec3, 8> neighbour_positions(const ProbeGrid& grid, const glm::vec3& point);
-
 /// The cell around `point`, which is first clamped into the grid [Dellson 2023, listing 4.1].
 ProbeNeighbours probe_neighbours(const ProbeGrid& grid, const glm::vec3& point);
 

@@ -119,6 +119,35 @@ std::optional<OrientedBox> solid_core(const WorldMesh& mesh, const glm::mat3& ax
     return OrientedBox{axes, core};
 }
 
+/// Whether all triangles of a mesh whose middle is `middle` show their one side away from it.
+bool shows_outside_only(const World& world, const WorldMesh& mesh, const glm::vec3& middle) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::uvec3& triangle = mesh.triangles[i];
+        const glm::vec3& a = mesh.positions[triangle.x];
+        const glm::vec3 ng =
+            glm::cross(mesh.positions[triangle.y] - a, mesh.positions[triangle.z] - a);
+        const auto material = static_cast<std::size_t>(mesh.triangle_materials[i]);
+        if (world.materials[material].two_sided || !(glm::dot(ng, a - middle) > 0.f)) return false;
+    }
+    return true;
+}
+
+/// The box of MovedBox::inside of what moved as object `object`, along `axes`.
+OrientedBox inside_of(const World& world, std::size_t object, const glm::mat3& axes) {
+    const auto belongs = [&](const auto& part) {
+        return static_cast<std::size_t>(part.object) == object;
+    };
+    const auto mesh = std::ranges::find_if(world.meshes, belongs);
+    if (mesh == world.meshes.end() || std::ranges::any_of(world.spheres, belongs) ||
+        std::any_of(std::next(mesh), world.meshes.end(), belongs)) {
+        return {};
+    }
+    const std::optional<OrientedBox> core = solid_core(*mesh, axes);
+    if (!core) return {};
+    const glm::vec3 middle = core->axes * ((core->bounds.lower + core->bounds.upper) / 2.f);
+    return shows_outside_only(world, *mesh, middle) ? *core : OrientedBox{};
+}
+
 std::vector<SolidMove> solid_moves(const World& before, const World& after,
                                    const std::vector<bool>& moved) {
     std::vector<SolidMove> moves;
@@ -161,6 +190,8 @@ Motion motion_between(const World& before, const World& after) {
         for (const Bounds& bounds : boxes_around(was[i], is[i])) {
             motion.oriented_boxes.push_back({axes[i], bounds});
         }
+        if (is[i].empty()) continue;
+        motion.now.push_back({{axes[i], with_margin(is[i])}, inside_of(after, i, axes[i])});
     }
     return motion;
 }

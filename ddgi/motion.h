@@ -24,6 +24,14 @@ struct SolidMove {
     OrientedBox is;
 };
 
+/// Where an object that moved is now.
+struct MovedBox {
+    OrientedBox box;  ///< around it, grown by the rounding of rays
+    /// Rays that start in here meet only backs of it, and pass; empty if it is no closed box that
+    /// shows its one side outward.
+    OrientedBox inside;
+};
+
 /// What changed from one frame to the next.
 struct Motion {
     /// Of every object that moved: where it was and where it is, grown by the rounding of rays; one
@@ -33,6 +41,7 @@ struct Motion {
     std::vector<SolidMove> solids;            ///< of the objects that moved, those that are boxes
     std::vector<bool> moved;                  ///< one an object of the world
     bool lights = false;                      ///< a light changed
+    std::vector<MovedBox> now;                ///< where all that moved is
 
     bool none() const { return boxes.empty() && !lights; }
 };

@@ -5,7 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "ddgi/grid_cell.h"
 #include "ddgi/seen_probes.h"
+#include "ddgi/shaft.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -18,17 +20,49 @@ bool overlap(const Bounds& a, const Bounds& b) {
            glm::all(glm::lessThanEqual(b.lower, a.upper));
 }
 
-/// Whether placing the surfel at `hit` would change nothing of it.
-bool is_at(const Surfels& surfels, const Hit& hit, const World& world, std::size_t surfel) {
-    return surfels.distance[surfel] == hit.t && surfels.object[surfel] == hit.object &&
-           surfels.n[surfel] == hit.n() &&
-           surfels.position[surfel] == offset_origin(hit, hit.n()) &&
-           surfels.albedo[surfel] == hit.albedo &&
-           surfels.emission[surfel] ==
-               world.materials[static_cast<std::size_t>(hit.material)].emission;
+/// Whether `bounds` and `box` may overlap: they do along all of their own axes.
+bool overlap(const Bounds& bounds, const OrientedBox& box) {
+    const glm::vec3 middle = box.to_box((bounds.lower + bounds.upper) / 2.f);
+    const Bounds& of_box = box.bounds;
+    const glm::vec3 middle_of_box = (of_box.lower + of_box.upper) / 2.f;
+    const glm::vec3 apart = middle - middle_of_box;
+    const glm::mat3 world_axes = glm::transpose(box.axes);
+    const glm::vec3 world_apart = box.axes * apart;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(apart[axis]) >
+                of_box.size()[axis] / 2.f + half_width(bounds, box.axes[axis]) ||
+            std::abs(world_apart[axis]) >
+                bounds.size()[axis] / 2.f + half_width(of_box, world_axes[axis])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Whether something may have moved in `bounds`: both kinds of boxes hold all that moved.
+bool moved_in(const Motion& motion, const Bounds& bounds) {
+    const auto overlaps = [&](const auto& box) { return overlap(bounds, box); };
+    return std::ranges::any_of(motion.boxes, overlaps) &&
+           std::ranges::any_of(motion.oriented_boxes, overlaps);
+}
+
+bool is_on_mover(const Surfels& surfels, const Motion& motion, std::size_t surfel) {
+    const int object = surfels.object[surfel];
+    return object >= 0 && motion.moved[static_cast<std::size_t>(object)];
 }
 
 }  // namespace
+
+bool is_at(const Surfels& surfels, const World& world, std::size_t surfel,
+           const std::optional<Hit>& hit) {
+    if (!hit || !surfels.hit(surfel)) return !hit && !surfels.hit(surfel);
+    return surfels.distance[surfel] == hit->t && surfels.object[surfel] == hit->object &&
+           surfels.n[surfel] == hit->n() &&
+           surfels.position[surfel] == offset_origin(*hit, hit->n()) &&
+           surfels.albedo[surfel] == hit->albedo &&
+           surfels.emission[surfel] ==
+               world.materials[static_cast<std::size_t>(hit->material)].emission;
+}
 
 MotionMarker::MotionMarker(const ProbeGrid& grid, Reach reach, const Surfels& surfels, bool sees)
     : grid_(grid),
@@ -65,11 +99,11 @@ bool MotionMarker::within_reach(const Motion& motion, const glm::vec3& probe) co
         motion.boxes, [&](const Bounds& box) { return box.grown(grid_.spacing).contains(probe); });
 }
 
-/// Whether tracing the ray of a surfel that meets a moved box afresh could give another end.
+/// Whether tracing the ray of a surfel that is on a mover, or meets the box of one, afresh could
+/// give another end.
 bool MotionMarker::touched(const Surfels& surfels, const RayTracer& movers, const Motion& motion,
                            const glm::vec3& origin, std::size_t surfel) const {
-    const int object = surfels.object[surfel];
-    const bool on_mover = object >= 0 && motion.moved[static_cast<std::size_t>(object)];
+    const bool on_mover = is_on_mover(surfels, motion, surfel);
     const glm::vec3& direction = surfels.direction[surfel];
     // What moved to right where the ray ended may be met first or second: both must be asked.
     const float t_max =
@@ -78,22 +112,38 @@ bool MotionMarker::touched(const Surfels& surfels, const RayTracer& movers, cons
     if (!on_mover) return hit.has_value();
     // An object that slides in the plane that was hit, such as a rising door, leaves its surfels as
     // they were: nothing at rest was nearer before, nor is now.
-    return !hit || !is_at(surfels, *hit, movers.world(), surfel);
+    return !is_at(surfels, movers.world(), surfel, hit);
 }
 
-void MotionMarker::mark_places(const Surfels& surfels, const World& world, const Motion& motion,
+void MotionMarker::mark_places(const Surfels& surfels, const Motion& motion,
                                SurfelMarks& marks) const {
-    const World movers = moved_part(world, motion);
-    const RayTracer movers_tracer(movers);
     for_probes(marks.probes(), [&](std::size_t probe) {
         const glm::vec3 origin = probe_position(grid_, static_cast<std::uint32_t>(probe));
         if (!within_reach(motion, origin)) return;
         const std::span<std::uint8_t> of_rays = marks.rays_of(probe);
-        for (const OrientedBox& box : motion.oriented_boxes) {
-            rays_.mark_rays(probe, origin, box, Mark::Placed, of_rays);
+        for (const MovedBox& mover : motion.now) {
+            if (mover.inside.bounds.contains(mover.inside.to_box(origin))) continue;
+            rays_.mark_rays(probe, origin, mover.box, Mark::Placed, of_rays);
         }
         for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
-            if (of_rays[ray] == 0) continue;
+            if (is_on_mover(surfels, motion, probe * of_rays.size() + ray)) {
+                of_rays[ray] |= Mark::Placed;
+            }
+        }
+        marks.join(probe);
+    });
+}
+
+void MotionMarker::confirm_places(const Surfels& surfels, const World& world, const Motion& motion,
+                                  SurfelMarks& marks) const {
+    const World movers = moved_part(world, motion);
+    const RayTracer movers_tracer(movers);
+    for_probes(marks.probes(), [&](std::size_t probe) {
+        if ((marks.of_probe(probe) & Mark::Placed) == 0) return;
+        const glm::vec3 origin = probe_position(grid_, static_cast<std::uint32_t>(probe));
+        const std::span<std::uint8_t> of_rays = marks.rays_of(probe);
+        for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
+            if ((of_rays[ray] & Mark::Placed) == 0) continue;
             const std::size_t surfel = probe * of_rays.size() + ray;
             const bool place = touched(surfels, movers_tracer, motion, origin, surfel);
             of_rays[ray] = place ? all_marks : std::uint8_t{0};
@@ -111,17 +161,14 @@ std::uint32_t MotionMarker::cell_of(const Surfels& surfels, std::size_t surfel) 
     return Bounds{grid_.origin, last}.contains(x) ? cell_probe(grid_, x) : outer_cell();
 }
 
-/// Of each cell whether something moved in it, or for the outer cell may have.
+/// Of each cell whether something may have moved in it; the outer cell is not asked for.
 std::vector<std::uint8_t> MotionMarker::moved_cells(const Motion& motion) const {
     std::vector<std::uint8_t> moved(outer_cell() + 1);
     for_probes(probe_count(grid_), [&](std::size_t probe) {
         const glm::vec3 middle =
             probe_position(grid_, static_cast<std::uint32_t>(probe)) + grid_.spacing / 2.f;
-        const Bounds bounds = bounds_to_probes(grid_, middle);
-        moved[probe] = std::ranges::any_of(motion.boxes,
-                                           [&](const Bounds& box) { return overlap(box, bounds); });
+        moved[probe] = moved_in(motion, bounds_to_probes(grid_, middle));
     });
-    moved[outer_cell()] = 1;
     return moved;
 }
 
@@ -130,10 +177,9 @@ void MotionMarker::mark_near(const Surfels& surfels, const Motion& motion,
     if (cell_.empty()) return;
     const std::vector<std::uint8_t> moved = moved_cells(motion);
     const auto moved_near = [&](std::size_t surfel) {
-        if (moved[cell_[surfel]] == 0) return false;
-        const Bounds bounds = bounds_to_probes(grid_, surfels.position[surfel]);
-        return std::ranges::any_of(motion.boxes,
-                                   [&](const Bounds& box) { return overlap(box, bounds); });
+        const std::uint32_t cell = cell_[surfel];
+        if (cell != outer_cell()) return moved[cell] != 0;
+        return moved_in(motion, bounds_to_probes(grid_, surfels.position[surfel]));
     };
     for_probes(marks.probes(), [&](std::size_t probe) {
         const std::span<std::uint8_t> of_rays = marks.rays_of(probe);
@@ -142,6 +188,25 @@ void MotionMarker::mark_near(const Surfels& surfels, const Motion& motion,
         }
         marks.join(probe);
     });
+}
+
+/// Whether the light of a surfel of `probe` may have changed by what moved: it did not where
+/// nothing is on any way, or one solid box was on all ways and still is. Told of surfels less than
+/// a cell away only, as others may be anywhere.
+bool MotionMarker::may_reach_shadows(const Motion& motion, const LampWay& light,
+                                     std::size_t probe) const {
+    if (reach_ == Reach::FirstSurface) return true;
+    // Surfels stand off their surfaces by rounding.
+    constexpr float margin = 1e-3f;
+    const float reach = (1.f + margin) * grid_.spacing;
+    const glm::vec3 middle = probe_position(grid_, static_cast<std::uint32_t>(probe));
+    const bool met = std::ranges::any_of(motion.oriented_boxes, [&](const OrientedBox& box) {
+        return Shaft(light, box, middle, reach).may_meet(box.bounds.grown(light.radius));
+    });
+    return met && std::ranges::none_of(light.solids, [&](const SolidMove& solid) {
+               return Shaft(light, solid.was, middle, reach).all_meet(solid.was.bounds) &&
+                      Shaft(light, solid.is, middle, reach).all_meet(solid.is.bounds);
+           });
 }
 
 void MotionMarker::mark_shadows(const Surfels& surfels, const World& world, const Motion& motion,
@@ -156,6 +221,7 @@ void MotionMarker::mark_shadows(const Surfels& surfels, const World& world, cons
             }
         }
         for (const LampWay& way : ways) {
+            if (!may_reach_shadows(motion, way, probe)) continue;
             rays_.mark_shadows(probe, way, motion.oriented_boxes, Mark::Lit, of_rays);
         }
         marks.join(probe);

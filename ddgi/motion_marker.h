@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,9 @@ enum class Reach {
 /// A surfel is to be placed if its ray meets a moved object before where it ended, or if it was on
 /// a moved object that it no longer meets at the very same point. [Dellson 2023, section 3.6]
 /// re-places all surfels of a probe that lies within a cell of a moved object's box.
+///
+/// Placing a surfel tells by itself whether its ray ends where it did, see is_at(); where others
+/// wait for the turn that it takes, that is asked first.
 class MotionMarker {
  public:
     /// `directions`: of all surfels. `sees`: surfels know which probes around them they see.
@@ -35,9 +39,12 @@ class MotionMarker {
     /// Takes in where ray `ray` of `probe` ends now.
     void note_end(const Surfels& surfels, std::size_t probe, std::size_t ray);
 
-    /// Marks those whose rays may end elsewhere with all there is.
-    void mark_places(const Surfels& surfels, const World& world, const Motion& motion,
-                     SurfelMarks& marks) const;
+    /// Marks those whose rays may end elsewhere as Placed: a few more than do.
+    void mark_places(const Surfels& surfels, const Motion& motion, SurfelMarks& marks) const;
+    /// Looks again, by the rays themselves, at those that are marked as Placed, and marks those
+    /// that something touched with all there is.
+    void confirm_places(const Surfels& surfels, const World& world, const Motion& motion,
+                        SurfelMarks& marks) const;
     /// Marks those between which and the probes around them something moved as Seen.
     void mark_near(const Surfels& surfels, const Motion& motion, SurfelMarks& marks) const;
     /// Marks those whose light may have changed, something moved on the way or the lights did, as
@@ -49,6 +56,7 @@ class MotionMarker {
     bool within_reach(const Motion& motion, const glm::vec3& probe) const;
     bool touched(const Surfels& surfels, const RayTracer& movers, const Motion& motion,
                  const glm::vec3& origin, std::size_t surfel) const;
+    bool may_reach_shadows(const Motion& motion, const LampWay& light, std::size_t probe) const;
     std::vector<std::uint8_t> moved_cells(const Motion& motion) const;
     std::uint32_t cell_of(const Surfels& surfels, std::size_t surfel) const;
     std::uint32_t no_cell() const { return probe_count(grid_); }         ///< of misses
@@ -59,5 +67,9 @@ class MotionMarker {
     ProbeRays rays_;
     std::vector<std::uint32_t> cell_;  ///< see cell_of(); empty if nobody asks for seen probes
 };
+
+/// Whether placing the surfel at `hit`, or as a miss if there is none, would change nothing of it.
+bool is_at(const Surfels& surfels, const World& world, std::size_t surfel,
+           const std::optional<Hit>& hit);
 
 }  // namespace plumbline::ddgi

@@ -32,6 +32,7 @@ bool ProbeWeigher::changed_at(const glm::vec3& x) const {
 float ProbeWeigher::weight_of(std::size_t probe, bool seen, const glm::vec3& x, const glm::vec3& n,
                               const glm::vec3& biased) const {
     if (options_.skip_inside && distances_->inside(probe)) return 0.f;
+    if (options_.weights == ProbeWeights::Visibility) return seen ? 1.f : 0.f;
     const glm::vec3 way = probe_position(grid_, static_cast<std::uint32_t>(probe)) - x;
     const float weight = probe_weight(options_.weights, way, n, seen);
     return moments_ && weight > 0.f ? weight * moments_->visibility(probe, biased) : weight;

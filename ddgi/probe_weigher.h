@@ -23,6 +23,8 @@ class ProbeWeigher {
     /// that sees no probe still needs some light.
     ProbeNeighbours weighted(const glm::vec3& x, const glm::vec3& n, std::uint8_t seen) const;
 
+    /// Whether a take_world() can change any weights: those of surfels that see the same probes.
+    bool may_change() const { return distances_.has_value(); }
     /// Whether the last take_world() may have changed the weights at `x`.
     bool changed_at(const glm::vec3& x) const;
 

@@ -46,11 +46,13 @@ void RaysModel::take_surfels(const SurfelCache& cache) {
 void RaysModel::take_probe(std::size_t probe, bool afresh) {
     const glm::vec3 position = probe_position(grid_, static_cast<std::uint32_t>(probe));
     const Surfels& surfels = cache_->surfels();
+    const bool others_changed = weigher_.may_change();
+    if (!afresh && !others_changed && !cache_->probe_changed(probe)) return;
     bool moved = false;
     for (std::size_t ray = 0; ray < rays(); ++ray) {
         const std::size_t i = probe * rays() + ray;
-        const bool weighs_others =
-            afresh || cache_->sees_others(i) || weigher_.changed_at(surfels.position[i]);
+        const bool weighs_others = afresh || cache_->sees_others(i) ||
+                                   (others_changed && weigher_.changed_at(surfels.position[i]));
         if (weighs_others || cache_->changed(i)) take_surfel(i, weighs_others);
         if (!afresh && !cache_->replaced(i)) continue;
         ends_->set(probe, ray, position, surfels);

@@ -46,7 +46,7 @@ SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
 void SurfelCache::rebuild(const RayTracer& tracer) {
     figures_ = {};
     marks_.set_all();
-    place_marked(tracer);
+    place_marked(tracer, false);
     share_light();
     see_marked(tracer);
     light_marked(tracer);
@@ -58,7 +58,8 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
     marks_.clear();
     if (!motion.none()) {
         const Stopwatch placing;
-        marker_.mark_places(surfels_, tracer.world(), motion, marks_);
+        marker_.mark_places(surfels_, motion, marks_);
+        if (queue_) marker_.confirm_places(surfels_, tracer.world(), motion, marks_);
         marker_.mark_near(surfels_, motion, marks_);
         figures_.place_ms = placing.ms();
         const Stopwatch lighting;
@@ -73,7 +74,7 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
         queue_->take_turn(marks_);
         figures_.place_ms += choosing.ms();
     }
-    place_marked(tracer);
+    place_marked(tracer, true);
     share_light();
     see_marked(tracer);
     light_marked(tracer);
@@ -81,25 +82,33 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
     marks_.join();
 }
 
-void SurfelCache::place_marked(const RayTracer& tracer) {
+/// With `unless_there` those whose rays end where they did stay as they are, and lose the mark.
+void SurfelCache::place_marked(const RayTracer& tracer, bool unless_there) {
     const Stopwatch watch;
     std::atomic<std::uint64_t> replaced{0};
     for_probes(marks_.probes(), [&](std::size_t probe) {
         if ((marks_.of_probe(probe) & Mark::Placed) == 0) return;
         const glm::vec3 origin = probe_position(grid_, static_cast<std::uint32_t>(probe));
+        const std::span<std::uint8_t> of_rays = marks_.rays_of(probe);
         std::uint64_t placed = 0;
-        for (std::size_t ray = 0; ray < marks_.per_probe(); ++ray) {
-            const std::size_t surfel = probe * marks_.per_probe() + ray;
-            if (!this->replaced(surfel)) continue;
+        for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
+            if ((of_rays[ray] & Mark::Placed) == 0) continue;
+            const std::size_t surfel = probe * of_rays.size() + ray;
             const glm::vec3& direction = surfels_.direction[surfel];
+            const std::optional<Hit> hit = tracer.intersect(
+                {origin, direction, marker_.ray_length(direction)}, BackFaces::Cull);
+            if (unless_there && is_at(surfels_, tracer.world(), surfel, hit)) {
+                marks_.drop(surfel, Mark::Placed);
+                continue;
+            }
+            of_rays[ray] |= all_marks;
             hits_of_[probe] -= surfels_.hit(surfel) ? 1u : 0u;
-            put_hit(tracer.world(), surfel,
-                    tracer.intersect({origin, direction, marker_.ray_length(direction)},
-                                     BackFaces::Cull));
+            put_hit(tracer.world(), surfel, hit);
             hits_of_[probe] += surfels_.hit(surfel) ? 1u : 0u;
             marker_.note_end(surfels_, probe, ray);
             ++placed;
         }
+        marks_.join(probe);
         replaced += placed;
     });
     figures_.replaced = replaced;
@@ -172,6 +181,9 @@ void SurfelCache::spread_light() {
 /// Those of `surfels` that light is measured at, and where.
 SurfelCache::Points SurfelCache::on_surfaces(std::span<const std::size_t> surfels) const {
     Points points;
+    points.surfel.reserve(surfels.size());
+    points.position.reserve(surfels.size());
+    points.n.reserve(surfels.size());
     for (const std::size_t surfel : surfels) {
         if (!surfels_.own_light(surfel)) continue;
         points.surfel.push_back(surfel);

@@ -78,7 +78,7 @@ class SurfelCache {
         std::vector<glm::vec3> n;
     };
 
-    void place_marked(const RayTracer& tracer);
+    void place_marked(const RayTracer& tracer, bool unless_there);
     void leave_to_sources();
     void share_light();
     void spread_light();

@@ -6,6 +6,7 @@
 
 #include "ddgi/direct_light.h"
 #include "ddgi/seen_probes.h"
+#include "ddgi/shaft.h"
 #include "tests/ddgi/small_scenes.h"
 
 using namespace plumbline;
@@ -120,6 +121,49 @@ TEST_CASE("a block that holds the light or lacks a face is no solid one", "[ddgi
         triangles.back() = triangles[triangles.size() - 2];
     }
     CHECK(motion_between(frames.before, frames.after).solids.empty());
+}
+
+TEST_CASE("a shaft tells of many ways to a light together what each meets", "[ddgi]") {
+    std::mt19937 engine(11);
+    const OrientedBox block = TwoFrames().motion.now.at(0).box;
+    int all = 0;
+    int none = 0;
+    for (int round = 0; round < 800; ++round) {
+        const bool sun = round % 2 != 0;
+        const glm::vec3 aim = random_point(engine, 1.5f);
+        const LampWay light =
+            sun ? LampWay{.direction = aim, .length = 10.f} : LampWay{.position = aim};
+        const glm::vec3 middle = random_point(engine, 1.5f);
+        const float reach = .04f;
+        const Shaft shaft(light, block, middle, reach);
+        for (int i = 0; i < 50; ++i) {
+            const glm::vec3 from = middle + random_point(engine, reach);
+            const double depth = depth_in(block, from, sun ? from + light.length * aim : aim);
+            if (depth > 0.) CHECK(shaft.may_meet(block.bounds));
+            // Points of the way are looked at, so that its deepest may be missed.
+            if (depth < -.01) CHECK(!shaft.all_meet(block.bounds));
+        }
+        all += shaft.all_meet(block.bounds) ? 1 : 0;
+        none += shaft.may_meet(block.bounds) ? 0 : 1;
+    }
+    CHECK(all > 5);
+    CHECK(none > 50);
+}
+
+TEST_CASE("rays from inside a block pass it only if it shows its one side outward", "[ddgi]") {
+    TwoFrames frames;
+    REQUIRE(frames.motion.now.size() == 1);
+    CHECK(!frames.motion.now[0].inside.bounds.empty());
+    WorldMesh& block = frames.after.meshes.back();
+    const auto inside = [&] {
+        return motion_between(frames.before, frames.after).now.at(0).inside;
+    };
+    for (glm::uvec3& triangle : block.triangles) std::swap(triangle.y, triangle.z);
+    CHECK(inside().bounds.empty());
+    for (glm::uvec3& triangle : block.triangles) std::swap(triangle.y, triangle.z);
+    CHECK(!inside().bounds.empty());
+    frames.after.materials[std::size_t(block.triangle_materials[0])].two_sided = true;
+    CHECK(inside().bounds.empty());
 }
 
 TEST_CASE("points asked together get the light and see the probes that they do alone", "[ddgi]") {
