@@ -23,8 +23,9 @@ inline glm::vec3 from_local(const glm::vec3& local, const glm::vec3& n) {
 /// The point of the unit circle at `turn` of a full turn from (1, 0), for a turn from 0 to 1, to 4
 /// roundings. Unlike the library's functions, the polynomials run in vector registers.
 inline glm::vec2 unit_circle(float turn) {
-    // The nearest quarter, and what is left of the angle: exact up to the product with pi / 2.
-    const int quarter = static_cast<int>(4.f * turn + .5f);
+    // The nearest quarter, by truncation since no turn is negative, and what is left of the angle:
+    // exact up to the product with pi / 2.
+    const int quarter = static_cast<int>(4.f * turn + .5f);  // NOLINT(bugprone-incorrect-roundings)
     const float a = (4.f * turn - static_cast<float>(quarter)) * (std::numbers::pi_v<float> / 2.f);
     const float a2 = a * a;
     // Minimax polynomials on [-pi/4, pi/4] [Moshier 1992, sinf.c].

@@ -38,7 +38,7 @@ inline std::array<Quad, 6> room_walls(const std::array<int, 6>& materials) {
             u[(axis + 1) % 3] = 2.f;
             v[(axis + 2) % 3] = 2.f;
             if (glm::dot(glm::cross(u, v), normal) < 0.f) std::swap(u, v);
-            const auto face = static_cast<std::size_t>(2 * axis + side);
+            const std::size_t face = 2 * std::size_t(axis) + std::size_t(side);
             walls[face] = {-normal - u / 2.f - v / 2.f, u, v, materials[face]};
         }
     }
