@@ -2,6 +2,7 @@
 #include "compare/halves.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compare/row_sums.h"
@@ -124,11 +125,13 @@ double above_threshold(const HalvedPair& halved, const std::array<std::vector<fl
 
 HalvesSplit split_by_halves(const Image& reference, const Image& test, const Halves& halves,
                             const LayerPair& pair) {
+    assert(halves.reference || halves.test);
     HalvedPair halved{pair,
                       pair_layers(halves.reference ? *halves.reference : reference,
                                   halves.test ? *halves.test : test, pair.layer),
                       {}};
-    if (halved.second.width != pair.width || halved.second.height != pair.height)
+    const bool fits = halved.second.width == pair.width && halved.second.height == pair.height;
+    if (halves.reference && !fits)
         pair_layers(reference, *halves.reference, pair.layer);  // throws with the sizes
     const auto reference_variance = variances_of(reference, pair.layer);
     const auto test_variance = variances_of(test, pair.layer);

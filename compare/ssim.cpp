@@ -34,8 +34,9 @@ std::vector<float> display_luma(const std::array<std::span<const float>, 3>& lay
 std::array<double, ssim_window> gaussian_weights() {
     std::array<double, ssim_window> weights{};
     double sum = 0;
+    constexpr int centre = ssim_window / 2;
     for (int k = 0; k < ssim_window; ++k) {
-        const double x = k - ssim_window / 2;
+        const double x = k - centre;
         weights[std::size_t(k)] = std::exp(-x * x / (2 * ssim_sigma * ssim_sigma));
         sum += weights[std::size_t(k)];
     }

@@ -79,7 +79,7 @@ std::size_t EqualStorage::cell_of(const glm::vec3& w) const {
     const int sector = std::clamp(
         static_cast<int>((turn < 0.f ? turn + 1.f : turn) * static_cast<float>(sectors_)), 0,
         sectors_ - 1);
-    return static_cast<std::size_t>(layer * sectors_ + sector);
+    return std::size_t(layer) * std::size_t(sectors_) + std::size_t(sector);
 }
 
 void EqualStorage::store(std::span<const RayLight> rays, std::span<float> values) const {

@@ -27,7 +27,7 @@ class HarmonicStorage final : public AngularStorage {
                         const glm::vec3& n) const override;
 
  private:
-    std::size_t coefficients() const { return static_cast<std::size_t>(order_ * order_); }
+    std::size_t coefficients() const { return std::size_t(order_) * std::size_t(order_); }
 
     ProbeGrid grid_;
     int order_;

@@ -75,7 +75,7 @@ inline std::uint32_t thesis_neighbour(const ProbeGrid& grid, std::uint32_t probe
 /// Radiance of a lit surfel as the probes take it: attenuated, then clamped as published.
 template <typename T>
 T thesis_surfel(const T& radiance, const T& bounceAttenuation) {
-    const T lit = radiance * bounceAttenuation;
+    T lit = radiance * bounceAttenuation;
     if (lit < T(0)) return T(0);
     if (lit > T(1)) return T(1);
     return lit;
