@@ -85,15 +85,16 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
 /// With `unless_there` those whose rays end where they did stay as they are, and lose the mark.
 void SurfelCache::place_marked(const RayTracer& tracer, bool unless_there) {
     const Stopwatch watch;
-    std::atomic<std::uint64_t> replaced{0};
+    std::atomic<std::uint64_t> traced{0}, replaced{0};
     for_probes(marks_.probes(), [&](std::size_t probe) {
         if ((marks_.of_probe(probe) & Mark::Placed) == 0) return;
         const glm::vec3 origin = probe_position(grid_, static_cast<std::uint32_t>(probe));
         const std::span<std::uint8_t> of_rays = marks_.rays_of(probe);
-        std::uint64_t placed = 0;
+        std::uint64_t asked = 0, placed = 0;
         for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
             if ((of_rays[ray] & Mark::Placed) == 0) continue;
             const std::size_t surfel = probe * of_rays.size() + ray;
+            ++asked;
             const glm::vec3& direction = surfels_.direction[surfel];
             const std::optional<Hit> hit = tracer.intersect(
                 {origin, direction, marker_.ray_length(direction)}, BackFaces::Cull);
@@ -109,8 +110,10 @@ void SurfelCache::place_marked(const RayTracer& tracer, bool unless_there) {
             ++placed;
         }
         marks_.join(probe);
+        traced += asked;
         replaced += placed;
     });
+    figures_.traced = traced;
     figures_.replaced = replaced;
     hits_ = std::reduce(hits_of_.begin(), hits_of_.end(), std::uint64_t{0});
     figures_.place_ms += watch.ms();

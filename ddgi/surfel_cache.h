@@ -68,6 +68,7 @@ class SurfelCache {
         double light_ms = 0;
         std::uint64_t replaced = 0;
         std::uint64_t shadow_rays = 0;
+        std::uint64_t traced = 0;  ///< rays that told which surfels are to be re-placed
     };
     const Figures& figures() const { return figures_; }
 

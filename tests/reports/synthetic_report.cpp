@@ -102,7 +102,7 @@ SceneReport scene_report(int width, int height, const std::string& text) {
                       .hash = "0123456789abcdef0123456789abcdef01234567",
                       .frame = 350,
                       .truth_command = "plumbline render -o truth.exr",
-                      .truth = {truth, 512, 95.5, 1'234'567'890, 1e-4, {}},
+                      .truth = {truth, 512, 95.5, 1'234'567'890, 1e-4, {}, {}},
                       .models = {},
                       .path_tracer = {},
                       .fit = FitRun{fit_result(), 8.5},
