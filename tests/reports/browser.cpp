@@ -131,7 +131,8 @@ TEST_CASE("in a browser the pixel inspector shows the rendered values", "[report
     }
     const nlohmann::json seen = what_the_page_showed(400);
     CHECK(seen["wide"] == false);
-    const SceneReport& scene = synthetic_report(64, 36).scenes[0];
+    const Report report = synthetic_report(64, 36);
+    const SceneReport& scene = report.scenes[0];
     constexpr std::size_t pixel = 18 * 64 + 32;
     for (std::size_t c = 0; c < 3; ++c) {
         const auto shown = [&](std::size_t row) {
