@@ -6,9 +6,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <optional>
-#include <vector>
 
-#include "ddgi/occlusion.h"
+#include "scenes/lanes.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -112,20 +111,39 @@ void add(const DirectLight& light, DirectLight& sum) {
     sum.shadow_rays += light.shadow_rays;
 }
 
-/// Adds what comes along ways[i] to at[i].
-void add_along(const RayTracer& tracer, std::span<const std::optional<LightWay>> ways,
-               std::span<const glm::vec3> positions, std::span<DirectLight> at) {
-    std::vector<Segment> open;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        if (ways[i]) open.push_back({positions[i], ways[i]->end});
+/// Ways that light comes along if nothing stands on them, as many as are traced together.
+struct OpenWays {
+    SegmentLanes segments;
+    Lanes<std::uint32_t> point;
+    Lanes3 irradiance;
+};
+
+/// Adds what arrives along `ways` to their points.
+void add_arriving(const RayTracer& tracer, OpenWays& ways, std::span<DirectLight> at) {
+    Lanes<std::int32_t> hidden;
+    tracer.occluded(ways.segments, hidden);
+    for (std::size_t i = 0; i < ways.segments.count; ++i) {
+        DirectLight& light = at[ways.point[i]];
+        ++light.shadow_rays;
+        if (hidden[i] == 0) light.irradiance += ways.irradiance[i];
     }
-    const std::vector<std::uint8_t> hidden = occluded(tracer, open);
-    std::size_t ray = 0;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        if (!ways[i]) continue;
-        ++at[i].shadow_rays;
-        if (hidden[ray++] == 0) at[i].irradiance += ways[i]->irradiance;
+    ways.segments.count = 0;
+}
+
+/// Adds what comes along way_of(i) to at[i].
+template <typename WayOf>
+void add_along(const RayTracer& tracer, std::span<const glm::vec3> positions, const WayOf& way_of,
+               std::span<DirectLight> at) {
+    OpenWays ways;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const std::optional<LightWay> way = way_of(i);
+        if (!way) continue;
+        ways.point[ways.segments.count] = static_cast<std::uint32_t>(i);
+        ways.irradiance.set(ways.segments.count, way->irradiance);
+        ways.segments.push({positions[i], way->end});
+        if (ways.segments.count == plumbline::lane_count) add_arriving(tracer, ways, at);
     }
+    add_arriving(tracer, ways, at);
 }
 
 }  // namespace
@@ -148,22 +166,21 @@ void direct_light(const RayTracer& tracer, std::span<const glm::vec3> positions,
                   std::span<const glm::vec3> n, std::span<DirectLight> at) {
     const World& world = tracer.world();
     std::ranges::fill(at, DirectLight{});
-    std::vector<std::optional<LightWay>> ways(positions.size());
     for (const PointLight& light : world.lights) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            if (light.radius > 0.f) {
+        if (light.radius > 0.f) {
+            for (std::size_t i = 0; i < positions.size(); ++i) {
                 add(from_ball(tracer, light, positions[i], n[i], 1), at[i]);
-            } else {
-                ways[i] = way_to(light, positions[i], n[i]);
             }
+            continue;
         }
-        if (!(light.radius > 0.f)) add_along(tracer, ways, positions, at);
+        add_along(
+            tracer, positions, [&](std::size_t i) { return way_to(light, positions[i], n[i]); },
+            at);
     }
     for (const DirectionalLight& light : world.directional_lights) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            ways[i] = way_to(light, world.reach, positions[i], n[i]);
-        }
-        add_along(tracer, ways, positions, at);
+        add_along(
+            tracer, positions,
+            [&](std::size_t i) { return way_to(light, world.reach, positions[i], n[i]); }, at);
     }
 }
 

@@ -25,7 +25,8 @@ std::uint64_t bit_of(std::uint8_t node) { return std::uint64_t{1} << node; }
 
 }  // namespace
 
-FeedbackMaps::FeedbackMaps(const ProbeGrid& grid) : asked_(probe_count(grid)) {
+FeedbackMaps::FeedbackMaps(const ProbeGrid& grid)
+    : asked_(probe_count(grid)), nodes_(new glm::vec4[asked_.size() * map_nodes]) {
     // The lowest cell's; a cell is never cut off at the border, only where the grid is one probe
     // thick.
     const ProbeNeighbours around = probe_neighbours(grid, grid.origin);
@@ -61,22 +62,19 @@ MapGather FeedbackMaps::gather(const ProbeNeighbours& around, const glm::vec3& n
     return gather;
 }
 
-FeedbackMaps::Nodes FeedbackMaps::make(const RayEnds& ends, std::span<const float> values,
-                                       std::size_t rays) const {
-    Nodes nodes(new glm::vec4[asked_.size() * map_nodes]);
+void FeedbackMaps::make(const RayEnds& ends, std::span<const float> values,
+                        std::size_t rays) const {
     tbb::parallel_for(std::size_t{0}, asked_.size(), [&](std::size_t probe) {
         for (std::uint64_t left = asked_[probe]; left != 0; left &= left - 1) {
             const auto node = static_cast<std::size_t>(std::countr_zero(left));
             const RaySums sums =
                 ends.along_rays(probe, map_directions()[node], &values[probe * 3 * rays]);
-            nodes[probe * map_nodes + node] = glm::vec4(irradiance(sums), 0.f);
+            nodes_[probe * map_nodes + node] = glm::vec4(irradiance(sums), 0.f);
         }
     });
-    return nodes;
 }
 
-void FeedbackMaps::gather(const Nodes& nodes, std::span<const MapGather> gathers,
-                          std::span<Spectrum> E) const {
+void FeedbackMaps::gather(std::span<const MapGather> gathers, std::span<Spectrum> E) const {
     for (std::size_t i = 0; i < gathers.size(); ++i) {
         const MapGather& gather = gathers[i];
         const bool one_node = gather.at[0] == 1.f;
@@ -84,7 +82,7 @@ void FeedbackMaps::gather(const Nodes& nodes, std::span<const MapGather> gathers
         Float4 sum{};
         for (std::uint32_t j = 0; j < (gather.probes & count_mask);
              ++j, corners >>= bits_a_corner) {
-            const glm::vec4* map = &nodes[gather.first + corner_offsets_[corners & corner_mask]];
+            const glm::vec4* map = &nodes_[gather.first + corner_offsets_[corners & corner_mask]];
             if (one_node) {
                 sum += gather.weight[j] * load_float4(map[0]);
             } else {

@@ -34,19 +34,19 @@ class FeedbackMaps {
     /// one cell. make() makes it from now on. Threads may call this at the same time.
     MapGather gather(const ProbeNeighbours& around, const glm::vec3& n);
 
-    /// Irradiances at the nodes of all probes; only those asked for have a value.
-    using Nodes = std::unique_ptr<glm::vec4[]>;
-    /// Of the rays' radiance, `values` as a model keeps them.
-    Nodes make(const RayEnds& ends, std::span<const float> values, std::size_t rays) const;
+    /// Makes the irradiances at the nodes that were asked for, of the rays' radiance, `values` as a
+    /// model keeps them.
+    void make(const RayEnds& ends, std::span<const float> values, std::size_t rays) const;
 
-    /// E[i] becomes the irradiance, W m^-2, that gathers[i] tells.
-    void gather(const Nodes& nodes, std::span<const MapGather> gathers,
-                std::span<Spectrum> E) const;
+    /// E[i] becomes the irradiance, W m^-2, that gathers[i] tells of the maps last made.
+    void gather(std::span<const MapGather> gathers, std::span<Spectrum> E) const;
 
  private:
     /// How many nodes further the same node of each of the eight probes around a point is.
     std::array<std::uint32_t, 8> corner_offsets_;
     std::vector<std::uint64_t> asked_;  ///< one a probe: bit i if node i was asked for
+    /// Irradiances at the nodes of all probes; what make() writes, kept as new memory is slow.
+    std::unique_ptr<glm::vec4[]> nodes_;
 };
 
 /// pi times the mean of the rays' radiance; 0 if no ray counts.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <glm/vec4.hpp>
 
@@ -13,6 +14,8 @@ constexpr std::size_t float8_lanes = 8;
 /// Eight floats in vector registers, however wide those of the machine are: element i of a result
 /// depends on elements i alone, so that every bit is the same on all of them.
 using Float8 [[gnu::vector_size(float8_lanes * sizeof(float))]] = float;
+/// All bits of a lane, or none.
+using Mask8 [[gnu::vector_size(sizeof(Float8))]] = std::int32_t;
 /// Four, as all machines have them.
 using Float4 [[gnu::vector_size(4 * sizeof(float))]] = float;
 
@@ -44,6 +47,13 @@ using Float4 [[gnu::vector_size(4 * sizeof(float))]] = float;
     Float8 roots;
     for (std::size_t i = 0; i < float8_lanes; ++i) roots[i] = std::sqrt(a[i]);
     return roots;
+}
+
+/// Bit i is set if lane i is.
+[[gnu::always_inline]] inline std::uint8_t bits_of(const Mask8& mask) {
+    unsigned bits = 0;
+    for (unsigned i = 0; i < float8_lanes; ++i) bits |= static_cast<unsigned>(mask[i]) & 1u << i;
+    return static_cast<std::uint8_t>(bits);
 }
 
 /// The lanes added up, always in this order.

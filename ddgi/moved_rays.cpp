@@ -13,9 +13,6 @@ namespace {
 /// Of the size of a solid box: a light this far from it is not in it, whatever the rounding.
 constexpr float solid_clearance = 1e-3f;
 
-/// All bits of a lane, or none.
-using Mask8 [[gnu::vector_size(sizeof(Float8))]] = std::int32_t;
-
 /// A vector a lane.
 struct Vector8 {
     Float8 x, y, z;

@@ -15,6 +15,8 @@ ProbeWeigher::ProbeWeigher(const ProbeGrid& grid, const ProbeOptions& options)
     : grid_(grid), options_(options) {
     if (options.weights == ProbeWeights::Moments) moments_.emplace(grid, distance_sharpness);
     if (moments_ || options.skip_inside) distances_.emplace();
+    only_seen_ =
+        options.weights == ProbeWeights::Visibility && !distances_ && options.normal_bias == 0.f;
 }
 
 void ProbeWeigher::take_world(const RayTracer& tracer, const SurfelCache& cache,
@@ -40,6 +42,7 @@ float ProbeWeigher::weight_of(std::size_t probe, bool seen, const glm::vec3& x, 
 
 ProbeNeighbours ProbeWeigher::weighted(const glm::vec3& x, const glm::vec3& n,
                                        std::uint8_t seen) const {
+    if (only_seen_) return seen_neighbours(grid_, x, seen);
     const glm::vec3 biased = x + options_.normal_bias * grid_.spacing * n;
     return tempered(probe_neighbours(grid_, x, biased), [&](std::size_t k, std::uint32_t probe) {
         return weight_of(probe, (seen >> k & 1) != 0, x, n, biased);

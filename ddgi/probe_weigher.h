@@ -36,6 +36,7 @@ class ProbeWeigher {
     ProbeOptions options_;
     std::optional<ProbeDistances> distances_;  ///< none: nothing asks for them
     std::optional<DistanceMoments> moments_;
+    bool only_seen_ = false;  ///< weights are those of seen_neighbours()
 };
 
 }  // namespace plumbline::ddgi

@@ -120,11 +120,11 @@ Spectrum RaysModel::ray_irradiance(std::span<const float> values, const ProbeNei
 }
 
 /// E_probes at the surfels of a probe.
-void RaysModel::feed(const FeedbackMaps::Nodes& nodes, std::span<const float> previous,
-                     std::size_t probe, std::span<Spectrum> E) const {
+void RaysModel::feed(std::span<const float> previous, std::size_t probe,
+                     std::span<Spectrum> E) const {
     const std::size_t first = probe * rays();
     if (maps_) {
-        maps_->gather(nodes, std::span(gathers_).subspan(first, rays()), E);
+        maps_->gather(std::span(gathers_).subspan(first, rays()), E);
         return;
     }
     const Surfels& surfels = cache_->surfels();
@@ -144,24 +144,23 @@ void RaysModel::bring(std::size_t probe, std::span<const Spectrum> E, std::span<
 }
 
 void RaysModel::update(std::span<const float> previous, std::span<float> next) const {
-    const FeedbackMaps::Nodes nodes = maps_ ? maps_->make(*ends_, previous, rays()) : nullptr;
+    if (maps_) maps_->make(*ends_, previous, rays());
     if (!cache_->surfels().source.empty()) {
-        update_shared(nodes, previous, next);
+        update_shared(previous, next);
         return;
     }
     const tbb::blocked_range<std::size_t> all(0, probe_count(grid_));
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& probes) {
         std::vector<Spectrum> E(rays());
         for (std::size_t probe = probes.begin(); probe < probes.end(); ++probe) {
-            feed(nodes, previous, probe, E);
+            feed(previous, probe, E);
             bring(probe, E, next);
         }
     });
 }
 
 /// The same where surfels take in what their sources do: these first.
-void RaysModel::update_shared(const FeedbackMaps::Nodes& nodes, std::span<const float> previous,
-                              std::span<float> next) const {
+void RaysModel::update_shared(std::span<const float> previous, std::span<float> next) const {
     const Surfels& surfels = cache_->surfels();
     // Only what sources take in is ever written and read.
     const std::unique_ptr<Spectrum[]> fed(new Spectrum[surfels.size()]);
@@ -169,7 +168,7 @@ void RaysModel::update_shared(const FeedbackMaps::Nodes& nodes, std::span<const 
         for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i) {
             if (!surfels.own_light(i)) continue;
             if (maps_) {
-                maps_->gather(nodes, {&gathers_[i], 1}, {&fed[i], 1});
+                maps_->gather({&gathers_[i], 1}, {&fed[i], 1});
             } else {
                 fed[i] = ray_irradiance(previous, around(i), surfels.position[i], surfels.n[i]);
             }

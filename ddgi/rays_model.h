@@ -46,11 +46,9 @@ class RaysModel final : public ProbeModel {
     Spectrum ray_irradiance(std::span<const float> values, const ProbeNeighbours& around,
                             const glm::vec3& x, const glm::vec3& n) const;
     void take_emission(std::size_t probe);
-    void feed(const FeedbackMaps::Nodes& nodes, std::span<const float> previous, std::size_t probe,
-              std::span<Spectrum> E) const;
+    void feed(std::span<const float> previous, std::size_t probe, std::span<Spectrum> E) const;
     void bring(std::size_t probe, std::span<const Spectrum> E, std::span<float> next) const;
-    void update_shared(const FeedbackMaps::Nodes& nodes, std::span<const float> previous,
-                       std::span<float> next) const;
+    void update_shared(std::span<const float> previous, std::span<float> next) const;
 
     ProbeGrid grid_;
     ProbeOptions options_;

@@ -17,10 +17,6 @@ namespace {
 /// [Majercik et al. 2019, section 5.2, listing 2: 0.2; less here, since nothing is denoised].
 constexpr float least_backface_weight = .05f;
 
-/// In cells: a probe this near to a surface behind it stands in that surface, and its rays start on
-/// both sides of it.
-constexpr float in_surface = 1e-3f;
-
 /// Cosine between the surface's normal and the way to the probe; 1 where the point is the probe.
 float cosine_to(const glm::vec3& way, const glm::vec3& n) {
     const float distance = glm::length(way);
@@ -40,10 +36,8 @@ struct Ways {
 
 using Corners = std::array<float, float8_lanes>;
 
-/// Whether each of the eight probes around a point counts and stands in front of the surface (1 or
-/// 0), and where its way then ends: a little behind the probe.
-struct WaysOfPoint {
-    std::array<std::uint32_t, float8_lanes> counts;
+/// A value for each of the eight probes around a point.
+struct WayEnds {
     Corners x, y, z;
 };
 
@@ -59,51 +53,97 @@ template <unsigned bit>
     std::memcpy(&to, &lanes, sizeof lanes);
 }
 
+[[gnu::always_inline]] inline Float8 trilinear_weights(const glm::vec3& place,
+                                                       const glm::ivec3& lower) {
+    const glm::vec3 b = upper_weights(place, lower);
+    const glm::vec3 a = 1.f - b;
+    return at_corners<2>(a.x, b.x) * at_corners<1>(a.y, b.y) * at_corners<0>(a.z, b.z);
+}
+
+/// The ways from a point to the eight probes around it.
+struct WaysOfPoint {
+    glm::ivec3 lower;       ///< of the cell that it is in
+    Float8 px, py, pz;      ///< the probes
+    Float8 wx, wy, wz;      ///< from the point to them
+    std::uint8_t in_front;  ///< bit k: probe k counts, and stands in front of the surface
+};
+
 [[gnu::always_inline]] inline WaysOfPoint ways_of(const ProbeGrid& grid, const glm::vec3& x,
                                                   const glm::vec3& n) {
     const glm::vec3 place = place_in(grid, x);
-    const glm::ivec3 lower = cell_around(grid, place);
-    const glm::vec3 upper_weight = upper_weights(place, lower);
-    const glm::vec3 lower_weight = 1.f - upper_weight;
-    const auto [a, b] = cell_bounds(grid, lower);
-    const Float8 px = at_corners<2>(a.x, b.x);
-    const Float8 py = at_corners<1>(a.y, b.y);
-    const Float8 pz = at_corners<0>(a.z, b.z);
-    const Float8 weight = at_corners<2>(lower_weight.x, upper_weight.x) *
-                          at_corners<1>(lower_weight.y, upper_weight.y) *
-                          at_corners<0>(lower_weight.z, upper_weight.z);
-    const Float8 wx = px - x.x;
-    const Float8 wy = py - x.y;
-    const Float8 wz = pz - x.z;
-    // Of a probe at the point itself NaN, which does not count.
-    const Float8 inverse = 1.f / square_root(wx * wx + wy * wy + wz * wz);
-    const float beyond = in_surface * grid.spacing;
-    const auto counts = (weight != 0.f) & (wx * n.x + wy * n.y + wz * n.z > 0.f) & 1;
     WaysOfPoint ways;
-    std::memcpy(&ways.counts, &counts, sizeof counts);
-    put(px + beyond * (wx * inverse), ways.x);
-    put(py + beyond * (wy * inverse), ways.y);
-    put(pz + beyond * (wz * inverse), ways.z);
+    ways.lower = cell_around(grid, place);
+    const auto [a, b] = cell_bounds(grid, ways.lower);
+    ways.px = at_corners<2>(a.x, b.x);
+    ways.py = at_corners<1>(a.y, b.y);
+    ways.pz = at_corners<0>(a.z, b.z);
+    ways.wx = ways.px - x.x;
+    ways.wy = ways.py - x.y;
+    ways.wz = ways.pz - x.z;
+    const Float8 weight = trilinear_weights(place, ways.lower);
+    const Float8 height = ways.wx * n.x + ways.wy * n.y + ways.wz * n.z;
+    ways.in_front = bits_of((weight != 0.f) & (height > 0.f));
     return ways;
 }
 
-/// Fills `ways` with those from the points x[first] on; the first whose ways it has no room for.
-PLUMBLINE_WIDE std::size_t fill(const ProbeGrid& grid, std::span<const glm::vec3> x,
-                                std::span<const glm::vec3> n, std::size_t first, Ways& ways) {
+/// Where they end: a little behind the probes.
+[[gnu::always_inline]] inline WayEnds ends_of(const WaysOfPoint& ways, float beyond) {
+    // Of a probe at the point itself NaN; it is not in front.
+    const Float8 inverse =
+        1.f / square_root(ways.wx * ways.wx + ways.wy * ways.wy + ways.wz * ways.wz);
+    WayEnds ends;
+    put(ways.px + beyond * (ways.wx * inverse), ends.x);
+    put(ways.py + beyond * (ways.wy * inverse), ends.y);
+    put(ways.pz + beyond * (ways.wz * inverse), ends.z);
+    return ends;
+}
+
+/// Points, and what is known of the probes that they see.
+struct Questions {
+    std::span<const glm::vec3> x, n;
+    std::span<std::uint8_t> seen;
+};
+
+/// Answers for the points from `first` on what `planes` tell, and fills `ways` with the others'
+/// rest; returns the first point whose ways it has no room for.
+PLUMBLINE_WIDE std::size_t fill(const ProbeGrid& grid, const CellPlanes* planes,
+                                const Questions& points, std::size_t first, Ways& ways) {
     std::size_t count = 0;
     std::size_t i = first;
-    for (; i < x.size() && count + float8_lanes <= plumbline::lane_count; ++i) {
-        const WaysOfPoint of_point = ways_of(grid, x[i], n[i]);
+    for (; i < points.x.size() && count + float8_lanes <= plumbline::lane_count; ++i) {
+        const glm::vec3& x = points.x[i];
+        const WaysOfPoint of_point = ways_of(grid, x, points.n[i]);
+        const unsigned open = planes != nullptr ? planes->open_ways(of_point.lower, x) : 0u;
+        points.seen[i] = static_cast<std::uint8_t>(of_point.in_front & open);
+        const unsigned unknown = of_point.in_front & ~open;
+        if (unknown == 0) continue;
+        const WayEnds ends = ends_of(of_point, in_surface * grid.spacing);
         for (std::size_t k = 0; k < float8_lanes; ++k) {
-            // Overwritten by the next if it does not count.
-            ways.lanes.a.set(count, x[i]);
-            ways.lanes.b.set(count, {of_point.x[k], of_point.y[k], of_point.z[k]});
+            // Overwritten by the next if nothing is to be known of it.
+            ways.lanes.a.set(count, x);
+            ways.lanes.b.set(count, {ends.x[k], ends.y[k], ends.z[k]});
             ways.question[count] = static_cast<std::uint32_t>(i * float8_lanes + k);
-            count += of_point.counts[k];
+            count += unknown >> k & 1u;
         }
     }
     ways.lanes.count = count;
     return i;
+}
+
+void answer(const RayTracer& tracer, const ProbeGrid& grid, const CellPlanes* planes,
+            const Questions& points) {
+    Ways ways;
+    Lanes<std::int32_t> hidden;
+    for (std::size_t next = 0; next < points.x.size();) {
+        next = fill(grid, planes, points, next, ways);
+        tracer.occluded(ways.lanes, hidden);
+        for (std::size_t i = 0; i < ways.lanes.count; ++i) {
+            const std::uint32_t question = ways.question[i];
+            const unsigned bit = hidden[i] == 0 ? 1u << question % float8_lanes : 0u;
+            std::uint8_t& of_point = points.seen[question / float8_lanes];
+            of_point = static_cast<std::uint8_t>(of_point | bit);
+        }
+    }
 }
 
 }  // namespace
@@ -111,25 +151,40 @@ PLUMBLINE_WIDE std::size_t fill(const ProbeGrid& grid, std::span<const glm::vec3
 std::uint8_t seen_probes(const RayTracer& tracer, const ProbeGrid& grid, const glm::vec3& x,
                          const glm::vec3& n) {
     std::uint8_t seen;
-    seen_probes(tracer, grid, {&x, 1}, {&n, 1}, {&seen, 1});
+    answer(tracer, grid, nullptr, {{&x, 1}, {&n, 1}, {&seen, 1}});
     return seen;
 }
 
-void seen_probes(const RayTracer& tracer, const ProbeGrid& grid, std::span<const glm::vec3> x,
-                 std::span<const glm::vec3> n, std::span<std::uint8_t> seen) {
-    std::ranges::fill(seen, std::uint8_t{0});
-    Ways ways;
-    Lanes<std::int32_t> hidden;
-    for (std::size_t next = 0; next < x.size();) {
-        next = fill(grid, x, n, next, ways);
-        tracer.occluded(ways.lanes, hidden);
-        for (std::size_t i = 0; i < ways.lanes.count; ++i) {
-            const std::uint32_t question = ways.question[i];
-            const unsigned bit = hidden[i] == 0 ? 1u << question % float8_lanes : 0u;
-            std::uint8_t& of_point = seen[question / float8_lanes];
-            of_point = static_cast<std::uint8_t>(of_point | bit);
-        }
+void seen_probes(const RayTracer& tracer, const ProbeGrid& grid, const CellPlanes& planes,
+                 std::span<const glm::vec3> x, std::span<const glm::vec3> n,
+                 std::span<std::uint8_t> seen) {
+    answer(tracer, grid, &planes, {x, n, seen});
+}
+
+PLUMBLINE_WIDE ProbeNeighbours seen_neighbours(const ProbeGrid& grid, const glm::vec3& x,
+                                               std::uint8_t seen) {
+    const glm::vec3 place = place_in(grid, x);
+    const glm::ivec3 lower = cell_around(grid, place);
+    ProbeNeighbours around;
+    const glm::ivec3 step = glm::min(grid.counts - 1 - lower, 1);
+    const std::uint32_t first = probe_index(grid, lower);
+    const auto along = [&](unsigned corner, unsigned bit, int further) {
+        return (corner >> bit & 1u) * static_cast<std::uint32_t>(further);
+    };
+    for (unsigned k = 0; k < float8_lanes; ++k) {
+        around.probe[k] = first + along(k, 1, step.y * grid.counts.x * grid.counts.z) +
+                          along(k, 2, step.x * grid.counts.z) + along(k, 0, step.z);
     }
+    const Float8 trilinear = trilinear_weights(place, lower);
+    Float8 weights;
+    for (unsigned k = 0; k < float8_lanes; ++k) {
+        weights[k] = (seen >> k & 1u) != 0 ? trilinear[k] : 0.f;
+    }
+    const float sum = sum_of(weights);
+    // Of denormal weights no digits would be left.
+    weights = sum < std::numeric_limits<float>::min() ? trilinear : weights / sum;
+    std::memcpy(&around.weight, &weights, sizeof weights);
+    return around;
 }
 
 Bounds bounds_to_probes(const ProbeGrid& grid, const glm::vec3& x) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "ddgi/cell_planes.h"
 #include "ddgi/grid.h"
 #include "scenes/ray_tracer.h"
 
@@ -18,19 +19,21 @@ enum class ProbeWeights {
     Moments,     ///< the same without rays, by what is known of distances: see DistanceMoments
 };
 
-/// All probes around a point, for weights that do not ask which are seen.
-constexpr std::uint8_t all_probes = 0xff;
-
 /// Bit k is set if probe k around a point can be seen from it: it stands in front of the surface
 /// with unit normal `n`, and nothing lies between or right behind it: a probe that stands in a
 /// wall's face has rays on both sides of the wall. `x` is just off the surface.
 std::uint8_t seen_probes(const RayTracer& tracer, const ProbeGrid& grid, const glm::vec3& x,
                          const glm::vec3& n);
 
-/// The same for many points at once, whose rays are traced together: seen[i] becomes
-/// seen_probes(tracer, grid, x[i], n[i]).
-void seen_probes(const RayTracer& tracer, const ProbeGrid& grid, std::span<const glm::vec3> x,
-                 std::span<const glm::vec3> n, std::span<std::uint8_t> seen);
+/// The same for many points at once, whose rays are traced together where `planes` of the tracer's
+/// world leave any to be traced: seen[i] becomes seen_probes(tracer, grid, x[i], n[i]).
+void seen_probes(const RayTracer& tracer, const ProbeGrid& grid, const CellPlanes& planes,
+                 std::span<const glm::vec3> x, std::span<const glm::vec3> n,
+                 std::span<std::uint8_t> seen);
+
+/// The probes around `x` with trilinear weights, of those only that are `seen` and made to sum to
+/// one; the trilinear weights themselves if none is: tempered() by ProbeWeights::Visibility.
+ProbeNeighbours seen_neighbours(const ProbeGrid& grid, const glm::vec3& x, std::uint8_t seen);
 
 /// The smallest box around `x` and all the probes that seen_probes() asks for: nothing outside it
 /// can change the answer.

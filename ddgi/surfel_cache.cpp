@@ -37,6 +37,7 @@ SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
       marks_(probe_count(grid), static_cast<std::size_t>(surfels_.per_probe)),
       hits_of_(probe_count(grid)) {
     if (budget) queue_.emplace(surfels_.size(), *budget);
+    if (weights == ProbeWeights::Visibility) planes_.emplace(grid);
     if (share > 0.) {
         cells_.emplace(share * double(grid.spacing), surfels_.size());
         surfels_.source.resize(surfels_.size());
@@ -46,6 +47,7 @@ SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
 void SurfelCache::rebuild(const RayTracer& tracer) {
     figures_ = {};
     marks_.set_all();
+    take_planes(tracer.world());
     place_marked(tracer, false);
     share_light();
     see_marked(tracer);
@@ -57,11 +59,12 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
     figures_ = {};
     marks_.clear();
     if (!motion.none()) {
+        take_planes(tracer.world());
         const Stopwatch placing;
         marker_.mark_places(surfels_, motion, marks_);
         if (queue_) marker_.confirm_places(surfels_, tracer.world(), motion, marks_);
         marker_.mark_near(surfels_, motion, marks_);
-        figures_.place_ms = placing.ms();
+        figures_.place_ms += placing.ms();
         const Stopwatch lighting;
         marker_.mark_shadows(surfels_, tracer.world(), motion, hits_of_, marks_);
         leave_to_sources();
@@ -82,35 +85,34 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
     marks_.join();
 }
 
+void SurfelCache::take_planes(const World& world) {
+    if (!planes_) return;
+    const Stopwatch watch;
+    planes_->take(world);
+    figures_.place_ms += watch.ms();
+}
+
 /// With `unless_there` those whose rays end where they did stay as they are, and lose the mark.
 void SurfelCache::place_marked(const RayTracer& tracer, bool unless_there) {
     const Stopwatch watch;
     std::atomic<std::uint64_t> traced{0}, replaced{0};
-    for_probes(marks_.probes(), [&](std::size_t probe) {
-        if ((marks_.of_probe(probe) & Mark::Placed) == 0) return;
-        const glm::vec3 origin = probe_position(grid_, static_cast<std::uint32_t>(probe));
-        const std::span<std::uint8_t> of_rays = marks_.rays_of(probe);
-        std::uint64_t asked = 0, placed = 0;
-        for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
-            if ((of_rays[ray] & Mark::Placed) == 0) continue;
-            const std::size_t surfel = probe * of_rays.size() + ray;
-            ++asked;
-            const glm::vec3& direction = surfels_.direction[surfel];
-            const std::optional<Hit> hit = tracer.intersect(
-                {origin, direction, marker_.ray_length(direction)}, BackFaces::Cull);
-            if (unless_there && is_at(surfels_, tracer.world(), surfel, hit)) {
-                marks_.drop(surfel, Mark::Placed);
-                continue;
+    marks_.for_marked(Mark::Placed, [&](std::span<const std::size_t> batch) {
+        SurfelEnds ends(tracer);
+        std::uint64_t placed = 0;
+        for (std::size_t first = 0; first < batch.size(); first += plumbline::lane_count) {
+            const auto part =
+                batch.subspan(first, std::min(plumbline::lane_count, batch.size() - first));
+            ends.trace(grid_, marker_, surfels_, part);
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                if (unless_there && ends.is_at(surfels_, i)) {
+                    marks_.drop(part[i], Mark::Placed);
+                    continue;
+                }
+                place(ends, i, part[i]);
+                ++placed;
             }
-            of_rays[ray] |= all_marks;
-            hits_of_[probe] -= surfels_.hit(surfel) ? 1u : 0u;
-            put_hit(tracer.world(), surfel, hit);
-            hits_of_[probe] += surfels_.hit(surfel) ? 1u : 0u;
-            marker_.note_end(surfels_, probe, ray);
-            ++placed;
         }
-        marks_.join(probe);
-        traced += asked;
+        traced += batch.size();
         replaced += placed;
     });
     figures_.traced = traced;
@@ -119,19 +121,14 @@ void SurfelCache::place_marked(const RayTracer& tracer, bool unless_there) {
     figures_.place_ms += watch.ms();
 }
 
-void SurfelCache::put_hit(const World& world, std::size_t surfel, const std::optional<Hit>& hit) {
-    if (!hit) {
-        surfels_.distance[surfel] = std::numeric_limits<float>::infinity();
-        surfels_.emission[surfel] = environment_radiance(world, surfels_.direction[surfel]);
-        surfels_.object[surfel] = -1;
-        return;
-    }
-    surfels_.distance[surfel] = hit->t;
-    surfels_.position[surfel] = offset_origin(*hit, hit->n());
-    surfels_.n[surfel] = hit->n();
-    surfels_.object[surfel] = hit->object;
-    surfels_.albedo[surfel] = hit->albedo;
-    surfels_.emission[surfel] = world.materials[static_cast<std::size_t>(hit->material)].emission;
+/// Puts a surfel where its ray ends, number `i` of `ends`.
+void SurfelCache::place(const SurfelEnds& ends, std::size_t i, std::size_t surfel) {
+    const std::size_t probe = ends.probe(i);
+    marks_.add(probe, surfel, all_marks);
+    hits_of_[probe] -= surfels_.hit(surfel) ? 1u : 0u;
+    ends.put(surfels_, i);
+    hits_of_[probe] += surfels_.hit(surfel) ? 1u : 0u;
+    marker_.note_end(surfels_, probe, surfel - probe * marks_.per_probe());
 }
 
 /// Takes the marks back from those that show another's light, and stay where they are.
@@ -197,12 +194,12 @@ SurfelCache::Points SurfelCache::on_surfaces(std::span<const std::size_t> surfel
 }
 
 void SurfelCache::see_marked(const RayTracer& tracer) {
-    if (surfels_.seen.empty()) return;
+    if (!planes_) return;
     const Stopwatch watch;
     marks_.for_marked(Mark::Seen, [&](std::span<const std::size_t> batch) {
         const auto [surfels, x, n] = on_surfaces(batch);
         std::vector<std::uint8_t> seen(x.size());
-        seen_probes(tracer, grid_, x, n, seen);
+        seen_probes(tracer, grid_, *planes_, x, n, seen);
         for (std::size_t i = 0; i < seen.size(); ++i) {
             const std::size_t surfel = surfels[i];
             // What is as it was need not be looked at again.

@@ -6,12 +6,14 @@
 #include <span>
 #include <vector>
 
+#include "ddgi/cell_planes.h"
 #include "ddgi/grid.h"
 #include "ddgi/motion.h"
 #include "ddgi/motion_marker.h"
 #include "ddgi/patterns.h"
 #include "ddgi/seen_probes.h"
 #include "ddgi/surfel_cells.h"
+#include "ddgi/surfel_ends.h"
 #include "ddgi/surfel_marks.h"
 #include "ddgi/surfel_queue.h"
 #include "ddgi/surfels.h"
@@ -79,6 +81,7 @@ class SurfelCache {
         std::vector<glm::vec3> n;
     };
 
+    void take_planes(const World& world);
     void place_marked(const RayTracer& tracer, bool unless_there);
     void leave_to_sources();
     void share_light();
@@ -88,7 +91,7 @@ class SurfelCache {
     }
     void see_marked(const RayTracer& tracer);
     void light_marked(const RayTracer& tracer);
-    void put_hit(const World& world, std::size_t surfel, const std::optional<Hit>& hit);
+    void place(const SurfelEnds& ends, std::size_t i, std::size_t surfel);
     Points on_surfaces(std::span<const std::size_t> surfels) const;
 
     ProbeGrid grid_;
@@ -98,6 +101,7 @@ class SurfelCache {
     SurfelMarks marks_;
     std::optional<SurfelQueue> queue_;
     std::optional<SurfelCells> cells_;
+    std::optional<CellPlanes> planes_;    ///< of the world of the last call; none: nobody sees
     std::uint64_t sources_ = 0;           ///< surfels that others, or they alone, show the light of
     std::vector<std::uint32_t> hits_of_;  ///< one a probe
     std::uint64_t hits_ = 0;

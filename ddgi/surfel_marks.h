@@ -39,9 +39,11 @@ class SurfelMarks {
     std::span<std::uint8_t> rays_of(std::size_t probe) {
         return {&marks_[probe * per_probe_], per_probe_};
     }
-    void add(std::size_t surfel, std::uint8_t marks) {
+    void add(std::size_t surfel, std::uint8_t marks) { add(surfel / per_probe_, surfel, marks); }
+    /// ... of a surfel that is known to be of this probe.
+    void add(std::size_t probe, std::size_t surfel, std::uint8_t marks) {
         marks_[surfel] |= marks;
-        probe_marks_[surfel / per_probe_] |= marks;
+        probe_marks_[probe] |= marks;
     }
     void drop(std::size_t surfel, Mark::Bit mark) {
         marks_[surfel] = static_cast<std::uint8_t>(marks_[surfel] & ~mark);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/ray_tracer.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -12,14 +14,40 @@
 namespace plumbline {
 namespace {
 
-struct CullingContext {
+constexpr std::size_t most_in_packet = 16;
+
+RTCIntersectContext embree_context(Coherence coherence) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    if (coherence == Coherence::Coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
+}
+
+/// What each ray of a packet met nearest so far.
+struct NearestContext {
     RTCIntersectContext embree;  // first: Embree hands this pointer to the filter
     const EmbreeScene* scene;
+    std::array<float, most_in_packet> t;
+    std::array<unsigned, most_in_packet> geometry, primitive;
+
+    /// To be called before each packet of `rays`.
+    void begin(std::size_t rays) { std::fill_n(t.begin(), rays, -1.f); }
+    bool is_later(std::size_t i, const EmbreeScene::Found& found) const {
+        return found.t == t[i] &&
+               std::tie(found.geometry, found.primitive) > std::tie(geometry[i], primitive[i]);
+    }
+    void set(std::size_t i, const EmbreeScene::Found& found) {
+        t[i] = found.t;
+        geometry[i] = found.geometry;
+        primitive[i] = found.primitive;
+    }
 };
 
-/// Rejects hits on backs of one-sided materials.
-void cull_backs(const RTCFilterFunctionNArguments* args) {
-    const auto* context = reinterpret_cast<const CullingContext*>(args->context);
+/// Rejects hits on backs of one-sided materials; and of surfaces that lie at the very same distance
+/// a ray meets the first in order: else the rest of the scene would say which, by the shape of the
+/// BVH.
+void cull_backs_and_ties(const RTCFilterFunctionNArguments* args) {
+    auto* nearest = reinterpret_cast<NearestContext*>(args->context);
     const unsigned n = args->N;
     for (unsigned i = 0; i < n; ++i) {
         if (args->valid[i] == 0) continue;
@@ -33,45 +61,20 @@ void cull_backs(const RTCFilterFunctionNArguments* args) {
             .v = RTCHitN_v(args->hit, n, i),
             .ng = {RTCHitN_Ng_x(args->hit, n, i), RTCHitN_Ng_y(args->hit, n, i),
                    RTCHitN_Ng_z(args->hit, n, i)}};
-        if (context->scene->is_culled(direction, found)) args->valid[i] = 0;
+        if (nearest->scene->is_culled(direction, found) || nearest->is_later(i, found)) {
+            args->valid[i] = 0;
+        } else {
+            nearest->set(i, found);
+        }
     }
 }
 
-/// Of one ray, what it met nearest so far.
-struct SingleRayContext {
-    CullingContext culling;  // first: Embree hands this pointer to the filter
-    float t;
-    unsigned geometry, primitive;
-};
-
-/// cull_backs() for one ray, which also meets the first in order of surfaces that lie at the very
-/// same distance: else the rest of the scene would say which, by the shape of the BVH.
-void cull_backs_and_ties(const RTCFilterFunctionNArguments* args) {
-    cull_backs(args);
-    if (args->valid[0] == 0) return;
-    auto* nearest = reinterpret_cast<SingleRayContext*>(args->context);
-    const float t = RTCRayN_tfar(args->ray, args->N, 0);
-    const unsigned geometry = RTCHitN_geomID(args->hit, args->N, 0);
-    const unsigned primitive = RTCHitN_primID(args->hit, args->N, 0);
-    const bool later =
-        std::tie(geometry, primitive) > std::tie(nearest->geometry, nearest->primitive);
-    if (t == nearest->t && later) {
-        args->valid[0] = 0;
-        return;
-    }
-    nearest->t = t;
-    nearest->geometry = geometry;
-    nearest->primitive = primitive;
-}
-
-CullingContext context_for(const EmbreeScene& scene, BackFaces back_faces, Coherence coherence) {
-    CullingContext context;
-    rtcInitIntersectContext(&context.embree);
+NearestContext nearest_context(const EmbreeScene& scene, BackFaces back_faces,
+                               Coherence coherence) {
+    NearestContext context;
+    context.embree = embree_context(coherence);
     context.scene = &scene;
-    if (back_faces == BackFaces::Cull) context.embree.filter = cull_backs;
-    if (coherence == Coherence::Coherent) {
-        context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    }
+    if (back_faces == BackFaces::Cull) context.embree.filter = cull_backs_and_ties;
     return context;
 }
 
@@ -116,12 +119,17 @@ RayTracer::~RayTracer() = default;
 
 void RayTracer::intersect(const RayLanes& rays, BackFaces back_faces, Coherence coherence,
                           HitLanes& hits) const {
-    CullingContext context = context_for(*embree_, back_faces, coherence);
+    NearestContext context = nearest_context(*embree_, back_faces, coherence);
     EmbreeScene::FoundLanes found;
-    with_width(packet_width_, [&]<typename P>() {
+    // The boxes that rays of any direction meet have little in common.
+    constexpr int widest_incoherent = 4;
+    const int width = coherence == Coherence::Coherent ? packet_width_
+                                                       : std::min(packet_width_, widest_incoherent);
+    with_width(width, [&]<typename P>() {
         P packet;
         for (std::size_t first = 0; first < rays.count; first += P::width) {
             packet.load(rays, first);
+            context.begin(P::width);
             packet.intersect(embree_->scene(), context.embree);
             packet.store(found, first);
         }
@@ -130,34 +138,34 @@ void RayTracer::intersect(const RayLanes& rays, BackFaces back_faces, Coherence 
 }
 
 void RayTracer::occluded(const SegmentLanes& segments, Lanes<std::int32_t>& hidden) const {
-    CullingContext context = context_for(*embree_, BackFaces::Hit, Coherence::Incoherent);
+    RTCIntersectContext context = embree_context(Coherence::Incoherent);
     RayLanes ways;
     ways_along(segments, ways);
     with_width(packet_width_, [&]<typename P>() {
         P packet;
         for (std::size_t first = 0; first < ways.count; first += P::width) {
             packet.load(ways, first);
-            packet.occluded(embree_->scene(), context.embree);
+            packet.occluded(embree_->scene(), context);
             for (std::size_t i = 0; i < P::width; ++i) hidden[first + i] = packet.hidden(i);
         }
     });
 }
 
 std::optional<Hit> RayTracer::intersect(const Ray& ray, BackFaces back_faces) const {
-    SingleRayContext context{context_for(*embree_, back_faces, Coherence::Incoherent), -1.f, 0, 0};
-    if (back_faces == BackFaces::Cull) context.culling.embree.filter = cull_backs_and_ties;
+    NearestContext context = nearest_context(*embree_, back_faces, Coherence::Incoherent);
+    context.begin(1);
     Packet<1> packet;
     packet.load(ray);
-    packet.intersect(embree_->scene(), context.culling.embree);
+    packet.intersect(embree_->scene(), context.embree);
     if (!packet.found(0)) return std::nullopt;
     return embree_->hit(ray, packet.hit(0));
 }
 
 bool RayTracer::occluded(const glm::vec3& a, const glm::vec3& b) const {
-    CullingContext context = context_for(*embree_, BackFaces::Hit, Coherence::Incoherent);
+    RTCIntersectContext context = embree_context(Coherence::Incoherent);
     Packet<1> packet;
     packet.load(way_along({a, b}));
-    packet.occluded(embree_->scene(), context.embree);
+    packet.occluded(embree_->scene(), context);
     return packet.hidden(0);
 }
 

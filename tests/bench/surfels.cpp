@@ -5,10 +5,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <vector>
 
+#include "ddgi/direct_light.h"
 #include "ddgi/ray_gather.h"
 #include "ddgi/volume.h"
 #include "scenes/scene_files.h"
@@ -18,6 +20,11 @@ namespace plumbline::ddgi {
 namespace {
 
 enum Kind { Place, See, Light };
+/// Of placing and lighting: rays put into lanes, the same traced and made hits of, with backs
+/// culled and ties broken; planes taken in, probes seen by them and by rays alone; light measured.
+enum Part { SetUp, Hits, CulledHits, Planes, SeenByPlanes, SeenByRays, Lit };
+
+constexpr std::size_t grain = 4096;
 
 /// A scene's surfels, and the rays that placing and lighting them takes, by kind.
 struct SurfelWork {
@@ -25,6 +32,7 @@ struct SurfelWork {
     RayTracer tracer;
     SurfelCache cache;
     std::array<std::vector<Ray>, 3> rays;
+    std::vector<glm::vec3> x, n;  ///< of the surfels that are on surfaces
 
     SurfelWork(const Scene& scene, int frame)
         : world(world_at(scene, frame)),
@@ -36,7 +44,10 @@ struct SurfelWork {
         for (std::size_t i = 0; i < surfels.size(); ++i) {
             const auto probe = std::uint32_t(i / std::size_t(surfels.per_probe));
             rays[Place].push_back({probe_position(cache.grid(), probe), surfels.direction[i]});
-            if (surfels.hit(i)) add_ways(surfels.position[i], surfels.n[i]);
+            if (!surfels.hit(i)) continue;
+            x.push_back(surfels.position[i]);
+            n.push_back(surfels.n[i]);
+            add_ways(x.back(), n.back());
         }
     }
 
@@ -45,11 +56,12 @@ struct SurfelWork {
     }
 
  private:
-    void add_ways(const glm::vec3& x, const glm::vec3& n) {
+    void add_ways(const glm::vec3& from, const glm::vec3& normal) {
         const auto add = [&](Kind kind, const glm::vec3& end) {
-            if (glm::dot(end - x, n) > 0.f) rays[kind].push_back({x, end - x, 1.f});
+            const glm::vec3 way = end - from;
+            if (glm::dot(way, normal) > 0.f) rays[kind].push_back({from, way, 1.f});
         };
-        const ProbeNeighbours around = probe_neighbours(cache.grid(), x);
+        const ProbeNeighbours around = probe_neighbours(cache.grid(), from);
         for (std::size_t k = 0; k < around.probe.size(); ++k) {
             if (around.weight[k] != 0.f) add(See, probe_position(cache.grid(), around.probe[k]));
         }
@@ -81,7 +93,6 @@ void replay_surfel_rays_in(benchmark::State& state) {
     const auto kind = Kind(state.range(1));
     const bench::BareEmbree embree(work.world);
     const std::span<const Ray> rays = work.rays[kind];
-    constexpr std::size_t grain = 4096;
     for (auto _ : state) {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), grain),
                           [&](const auto& range) {
@@ -93,7 +104,76 @@ void replay_surfel_rays_in(benchmark::State& state) {
 }
 
 void replay_surfel_rays(benchmark::State& state) {
-    state.range(2) == 1 ? replay_surfel_rays_in<1>(state) : replay_surfel_rays_in<8>(state);
+    switch (state.range(2)) {
+        case 1:
+            return replay_surfel_rays_in<1>(state);
+        case 4:
+            return replay_surfel_rays_in<4>(state);
+        default:
+            return replay_surfel_rays_in<8>(state);
+    }
+}
+
+/// Calls body(first, size) for all of `count`, in parallel.
+template <typename Body>
+void in_grains(std::size_t count, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                      [&](const auto& range) { body(range.begin(), range.size()); });
+}
+
+void put_in_lanes(std::span<const Ray> rays, RayLanes& lanes) {
+    lanes.count = 0;
+    for (const Ray& ray : rays) lanes.push(ray);
+}
+
+void trace_in_lanes(const SurfelWork& work, Part part) {
+    in_grains(work.rays[Place].size(), [&](std::size_t begin, std::size_t size) {
+        RayLanes lanes;
+        HitLanes hits;
+        for (std::size_t first = begin; first < begin + size; first += plumbline::lane_count) {
+            const std::size_t count = std::min(plumbline::lane_count, begin + size - first);
+            put_in_lanes(std::span(work.rays[Place]).subspan(first, count), lanes);
+            benchmark::DoNotOptimize(&lanes);
+            benchmark::ClobberMemory();
+            if (part == SetUp) continue;
+            work.tracer.intersect(lanes, part == Hits ? BackFaces::Hit : BackFaces::Cull,
+                                  Coherence::Incoherent, hits);
+            benchmark::DoNotOptimize(&hits);
+        }
+    });
+}
+
+void see_probes(const SurfelWork& work, const CellPlanes& planes) {
+    in_grains(work.x.size(), [&](std::size_t begin, std::size_t size) {
+        std::array<std::uint8_t, grain> seen;
+        seen_probes(work.tracer, work.cache.grid(), planes, std::span(work.x).subspan(begin, size),
+                    std::span(work.n).subspan(begin, size), std::span(seen).first(size));
+        benchmark::DoNotOptimize(&seen);
+    });
+}
+
+void light_surfels(const SurfelWork& work) {
+    in_grains(work.x.size(), [&](std::size_t begin, std::size_t size) {
+        std::array<DirectLight, grain> light;
+        direct_light(work.tracer, std::span(work.x).subspan(begin, size),
+                     std::span(work.n).subspan(begin, size), std::span(light).first(size));
+        benchmark::DoNotOptimize(&light);
+    });
+}
+
+void part_of_surfels(benchmark::State& state) {
+    const SurfelWork& work = surfel_work(state.range(0));
+    const auto part = Part(state.range(1));
+    World ball;  // in every cell, so that planes tell nothing
+    ball.spheres.push_back({0, glm::vec3(0.f), 1e6f, false, 0});
+    CellPlanes planes(work.cache.grid());
+    planes.take(part == SeenByRays ? ball : work.world);
+    for (auto _ : state) {
+        if (part <= CulledHits) trace_in_lanes(work, part);
+        if (part == Planes) planes.take(work.world);
+        if (part == SeenByPlanes || part == SeenByRays) see_probes(work, planes);
+        if (part == Lit) light_surfels(work);
+    }
 }
 
 /// The rays of a probe with random radiance, and points that look it up.
@@ -170,9 +250,15 @@ BENCHMARK(place_and_light)
     ->UseRealTime()
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(part_of_surfels)
+    ->ArgNames({"scene", "part"})
+    ->ArgsProduct({{0, 1}, {SetUp, Hits, CulledHits, Planes, SeenByPlanes, SeenByRays, Lit}})
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(replay_surfel_rays)
     ->ArgNames({"scene", "kind", "width"})
-    ->ArgsProduct({{0, 1}, {Place, See, Light}, {1, 8}})
+    ->ArgsProduct({{0, 1}, {Place, See, Light}, {1, 4, 8}})
     ->UseRealTime()
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);

@@ -172,7 +172,8 @@ TEST_CASE("surfels gather what the nodes around their normals interpolate to", "
         expected.push_back(E);
     }
     std::vector<Spectrum> gathered(gathers.size());
-    maps.gather(maps.make(ends, radiance, 64), gathers, gathered);
+    maps.make(ends, radiance, 64);
+    maps.gather(gathers, gathered);
     for (std::size_t i = 0; i < expected.size(); ++i) {
         for (int c = 0; c < 3; ++c) CHECK(gathered[i][c] == Approx(expected[i][c]).epsilon(1e-5));
     }
@@ -193,6 +194,24 @@ TEST_CASE("shifted patterns stay even and differ from probe to probe", "[ddgi]")
     }
     CHECK(probe_directions(sphere_pattern(64, false), {3, 4, 5}) ==
           sphere_pattern(64, false).directions);
+}
+
+TEST_CASE("the weights of seen probes are the trilinear ones of these made to sum to one",
+          "[ddgi]") {
+    const auto counts = GENERATE(glm::ivec3(4, 3, 5), glm::ivec3(1, 3, 2), glm::ivec3(3, 1, 1));
+    const ProbeGrid grid{glm::vec3(-1.5f), 1.f, counts};
+    std::mt19937 engine(9);
+    std::uniform_real_distribution<float> uniform(-2.f, 4.f);
+    for (unsigned i = 0; i < 2048; ++i) {
+        const auto seen = static_cast<std::uint8_t>(i);
+        const glm::vec3 x(uniform(engine), uniform(engine), uniform(engine));
+        const ProbeNeighbours expected = tempered(
+            probe_neighbours(grid, x),
+            [&](std::size_t k, std::uint32_t) { return (seen >> k & 1) != 0 ? 1.f : 0.f; });
+        const ProbeNeighbours around = seen_neighbours(grid, x, seen);
+        REQUIRE(around.probe == expected.probe);
+        REQUIRE(around.weight == expected.weight);
+    }
 }
 
 TEST_CASE("a point sees the probes in front of it that nothing hides", "[ddgi]") {

@@ -187,7 +187,9 @@ TEST_CASE("points asked together get the light and see the probes that they do a
     std::vector<DirectLight> light(x.size());
     direct_light(tracer, x, n, light);
     std::vector<std::uint8_t> seen(x.size());
-    seen_probes(tracer, *scene.probes, x, n, seen);
+    CellPlanes planes(*scene.probes);
+    planes.take(world);
+    seen_probes(tracer, *scene.probes, planes, x, n, seen);
     std::size_t lit = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const DirectLight alone = direct_light(tracer, x[i], n[i]);
