@@ -117,6 +117,11 @@ bool MotionMarker::touched(const Surfels& surfels, const RayTracer& movers, cons
 
 void MotionMarker::mark_places(const Surfels& surfels, const Motion& motion,
                                SurfelMarks& marks) const {
+    // Of surfels on each object; the first is of those that are on none.
+    std::vector<std::uint8_t> on_object(motion.moved.size() + 1);
+    std::ranges::transform(motion.moved, std::next(on_object.begin()), [](bool moved) {
+        return moved ? std::uint8_t{Mark::Placed} : std::uint8_t{0};
+    });
     for_probes(marks.probes(), [&](std::size_t probe) {
         const glm::vec3 origin = probe_position(grid_, static_cast<std::uint32_t>(probe));
         if (!within_reach(motion, origin)) return;
@@ -125,10 +130,10 @@ void MotionMarker::mark_places(const Surfels& surfels, const Motion& motion,
             if (mover.inside.bounds.contains(mover.inside.to_box(origin))) continue;
             rays_.mark_rays(probe, origin, mover.box, Mark::Placed, of_rays);
         }
+        const int* objects = &surfels.object[probe * of_rays.size()];
         for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
-            if (is_on_mover(surfels, motion, probe * of_rays.size() + ray)) {
-                of_rays[ray] |= Mark::Placed;
-            }
+            const auto object = static_cast<std::size_t>(objects[ray] + 1);
+            of_rays[ray] = static_cast<std::uint8_t>(of_rays[ray] | on_object[object]);
         }
         marks.join(probe);
     });
@@ -161,32 +166,39 @@ std::uint32_t MotionMarker::cell_of(const Surfels& surfels, std::size_t surfel) 
     return Bounds{grid_.origin, last}.contains(x) ? cell_probe(grid_, x) : outer_cell();
 }
 
-/// Of each cell whether something may have moved in it; the outer cell is not asked for.
+/// Of each cell what its surfels are marked with: Mark::Seen if something may have moved in it; the
+/// outer cell is not asked for.
 std::vector<std::uint8_t> MotionMarker::moved_cells(const Motion& motion) const {
-    std::vector<std::uint8_t> moved(outer_cell() + 1);
+    std::vector<std::uint8_t> marks(outer_cell() + 1);
     for_probes(probe_count(grid_), [&](std::size_t probe) {
         const glm::vec3 middle =
             probe_position(grid_, static_cast<std::uint32_t>(probe)) + grid_.spacing / 2.f;
-        moved[probe] = moved_in(motion, bounds_to_probes(grid_, middle));
+        if (moved_in(motion, bounds_to_probes(grid_, middle))) marks[probe] = Mark::Seen;
     });
-    return moved;
+    return marks;
 }
 
 void MotionMarker::mark_near(const Surfels& surfels, const Motion& motion,
                              SurfelMarks& marks) const {
     if (cell_.empty()) return;
-    const std::vector<std::uint8_t> moved = moved_cells(motion);
-    const auto moved_near = [&](std::size_t surfel) {
-        const std::uint32_t cell = cell_[surfel];
-        if (cell != outer_cell()) return moved[cell] != 0;
-        return moved_in(motion, bounds_to_probes(grid_, surfels.position[surfel]));
-    };
+    constexpr std::uint8_t ask = 0x80;  // no Mark
+    std::vector<std::uint8_t> mark_of = moved_cells(motion);
+    mark_of[outer_cell()] = ask;
     for_probes(marks.probes(), [&](std::size_t probe) {
         const std::span<std::uint8_t> of_rays = marks.rays_of(probe);
+        const std::uint32_t* cells = &cell_[probe * of_rays.size()];
+        std::uint8_t all = 0;
         for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
-            if (moved_near(probe * of_rays.size() + ray)) of_rays[ray] |= Mark::Seen;
+            const std::uint8_t mark = mark_of[cells[ray]];
+            all |= mark;
+            of_rays[ray] = static_cast<std::uint8_t>(of_rays[ray] | (mark & Mark::Seen));
         }
-        marks.join(probe);
+        for (std::size_t ray = 0; (all & ask) != 0 && ray < of_rays.size(); ++ray) {
+            if (cells[ray] != outer_cell()) continue;
+            const glm::vec3& x = surfels.position[probe * of_rays.size() + ray];
+            if (moved_in(motion, bounds_to_probes(grid_, x))) of_rays[ray] |= Mark::Seen;
+        }
+        if (all != 0) marks.join(probe);
     });
 }
 

@@ -48,7 +48,7 @@ void RaysModel::take_probe(std::size_t probe, bool afresh) {
     const Surfels& surfels = cache_->surfels();
     const bool others_changed = weigher_.may_change();
     if (!afresh && !others_changed && !cache_->probe_changed(probe)) return;
-    bool moved = false;
+    bool emits = emitters_[probe] != 0;
     for (std::size_t ray = 0; ray < rays(); ++ray) {
         const std::size_t i = probe * rays() + ray;
         const bool weighs_others = afresh || cache_->sees_others(i) ||
@@ -56,20 +56,18 @@ void RaysModel::take_probe(std::size_t probe, bool afresh) {
         if (weighs_others || cache_->changed(i)) take_surfel(i, weighs_others);
         if (!afresh && !cache_->replaced(i)) continue;
         ends_->set(probe, ray, position, surfels);
-        moved = true;
+        if (surfels.emission[i] != Spectrum(0.f)) emits = true;
     }
-    if (moved) take_emission(probe);
+    // A probe that nothing is emitted to keeps its zeros.
+    if (emits) take_emission(probe);
 }
 
 void RaysModel::take_emission(std::size_t probe) {
     const std::span<const Spectrum> emission(&cache_->surfels().emission[probe * rays()], rays());
     const bool emits =
         std::ranges::any_of(emission, [](const Spectrum& Le) { return Le != Spectrum(0.f); });
-    // A probe that nothing is emitted to keeps its zeros.
-    if (emits || emitters_[probe] != 0) {
-        for (std::size_t ray = 0; ray < rays(); ++ray) {
-            put(emitted_, probe, ray, rays(), emission[ray]);
-        }
+    for (std::size_t ray = 0; ray < rays(); ++ray) {
+        put(emitted_, probe, ray, rays(), emission[ray]);
     }
     emitters_[probe] = emits ? 1 : 0;
 }
