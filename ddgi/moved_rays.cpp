@@ -70,15 +70,33 @@ struct Vector8 {
     }
 }
 
-/// Where the way from a surfel to the light comes as near to `box` as `radius`, or nearer.
-[[gnu::always_inline]] inline Mask8 ways_meeting(const Vector8& surfels, const LampWay& light,
-                                                 const OrientedBox& box, float radius) {
-    const Vector8 surfel = to_box(box, surfels);
-    const bool far = light.direction != glm::vec3(0.f);
-    const Vector8 end = same_vector8(box.to_box(far ? light.direction : light.position));
-    const Vector8 way = far ? end : Vector8{end.x - surfel.x, end.y - surfel.y, end.z - surfel.z};
-    return meeting(surfel, way, same_float8(light.length), box.bounds.grown(radius));
-}
+/// The ways to a light in the coordinates of a box, which is larger by a radius: where they meet
+/// it.
+class WaysToBox {
+ public:
+    [[gnu::always_inline]] WaysToBox(const LampWay& light, const OrientedBox& box, float radius)
+        : axes_{box.axes, {}},
+          bounds_(box.bounds.grown(radius)),
+          far_(light.direction != glm::vec3(0.f)),
+          end_(box.to_box(far_ ? light.direction : light.position)),
+          length_(light.length) {}
+
+    /// Where the way from a surfel to the light comes as near to the box as the radius, or nearer.
+    [[gnu::always_inline]] Mask8 meeting(const Vector8& surfels) const {
+        const Vector8 surfel = to_box(axes_, surfels);
+        const Vector8 end = same_vector8(end_);
+        const Vector8 way =
+            far_ ? end : Vector8{end.x - surfel.x, end.y - surfel.y, end.z - surfel.z};
+        return ddgi::meeting(surfel, way, same_float8(length_), bounds_);
+    }
+
+ private:
+    OrientedBox axes_;
+    Bounds bounds_;
+    bool far_;
+    glm::vec3 end_;
+    float length_;
+};
 
 /// Whether the ways to this light all end outside of `box`, by its margin.
 bool ends_outside(const LampWay& light, const OrientedBox& box) {
@@ -125,8 +143,9 @@ void ProbeRays::set_end(std::size_t probe, std::size_t ray, float length, const 
 }
 
 PLUMBLINE_WIDE void ProbeRays::mark_rays(std::size_t probe, const glm::vec3& origin,
-                                         const OrientedBox& box, std::uint8_t mark,
+                                         const OrientedBox& mover, std::uint8_t mark,
                                          std::span<std::uint8_t> marks) const {
+    const OrientedBox box = mover;  // its own: the marks, being bytes, could be part of `mover`
     const Vector8 start = same_vector8(box.to_box(origin));
     for (std::size_t i = 0; i < rays_; i += float8_lanes) {
         const Vector8 direction =
@@ -140,22 +159,35 @@ PLUMBLINE_WIDE void ProbeRays::mark_rays(std::size_t probe, const glm::vec3& ori
 PLUMBLINE_WIDE void ProbeRays::mark_shadows(std::size_t probe, const LampWay& light,
                                             std::span<const OrientedBox> boxes, std::uint8_t mark,
                                             std::span<std::uint8_t> marks) const {
-    for (std::size_t i = 0; i < rays_; i += float8_lanes) {
-        const Mask8 there = load_float8(at(probe, HasSurfel) + i) > 0.f;
-        if (!any(there)) continue;
-        const Vector8 surfels = load_vector8(at(probe, X) + i, at(probe, Y) + i, at(probe, Z) + i);
-        Mask8 met{};
+    // Box by box, so that what is known of one stays in registers.
+    constexpr std::size_t groups_at_once = 8;
+    std::array<Mask8, groups_at_once> met;
+    for (std::size_t first = 0; first < rays_; first += groups_at_once * float8_lanes) {
+        const std::size_t groups = std::min(groups_at_once, (rays_ - first) / float8_lanes);
+        const auto surfels = [&](std::size_t group) {
+            const std::size_t i = first + group * float8_lanes;
+            return load_vector8(at(probe, X) + i, at(probe, Y) + i, at(probe, Z) + i);
+        };
+        met.fill(Mask8{});
         // Ways to a ball stay within its radius of the way to its centre.
         for (const OrientedBox& box : boxes) {
-            met |= ways_meeting(surfels, light, box, light.radius);
+            const WaysToBox ways(light, box, light.radius);
+            for (std::size_t g = 0; g < groups; ++g) met[g] |= ways.meeting(surfels(g));
         }
-        met &= there;
-        if (!any(met)) continue;
+        for (std::size_t g = 0; g < groups; ++g) {
+            const std::size_t i = first + g * float8_lanes;
+            met[g] &= load_float8(at(probe, HasSurfel) + i) > 0.f;
+        }
         for (const SolidMove& solid : light.solids) {
-            met &= ~(ways_meeting(surfels, light, solid.was, 0.f) &
-                     ways_meeting(surfels, light, solid.is, 0.f));
+            const WaysToBox was(light, solid.was, 0.f);
+            const WaysToBox is(light, solid.is, 0.f);
+            for (std::size_t g = 0; g < groups; ++g) {
+                if (any(met[g])) met[g] &= ~(was.meeting(surfels(g)) & is.meeting(surfels(g)));
+            }
         }
-        if (any(met)) set(met, mark, &marks[i]);
+        for (std::size_t g = 0; g < groups; ++g) {
+            if (any(met[g])) set(met[g], mark, &marks[first + g * float8_lanes]);
+        }
     }
 }
 
