@@ -36,6 +36,19 @@ PLUMBLINE_WIDE void shine(EvenLight light, const HitLanes& hits, const Lanes3& b
     }
 }
 
+PLUMBLINE_WIDE void find_lit(std::size_t count, const Lanes3& L, Lanes<std::int32_t>& lit) {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i) {
+        lit[i] = (L.x[i] != 0.f ? 1 : 0) | (L.y[i] != 0.f ? 1 : 0) | (L.z[i] != 0.f ? 1 : 0);
+    }
+}
+
+PLUMBLINE_WIDE void find_seen(std::size_t count, const Lanes<std::int32_t>& hidden,
+                              Lanes<std::int32_t>& seen) {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i) seen[i] = hidden[i] == 0 ? 1 : 0;
+}
+
 PLUMBLINE_WIDE void scatter(const HitLanes& hits, WalkLanes& walks) {
 #pragma GCC ivdep
     for (std::size_t i = 0; i < hits.count; ++i) {

@@ -21,6 +21,12 @@ void start_rays(const HitLanes& hits, Lanes3& origin);
 /// L[i] becomes the radiance that `light` brings path i unless something hides it.
 void shine(EvenLight light, const HitLanes& hits, const Lanes3& beta, Lanes3& L);
 
+/// lit[i] becomes whether L[i] is anything.
+void find_lit(std::size_t count, const Lanes3& L, Lanes<std::int32_t>& lit);
+
+/// seen[i] becomes whether hidden[i] is 0.
+void find_seen(std::size_t count, const Lanes<std::int32_t>& hidden, Lanes<std::int32_t>& seen);
+
 /// Draws each path's next direction, and takes the albedo into its throughput.
 void scatter(const HitLanes& hits, WalkLanes& walks);
 

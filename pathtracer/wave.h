@@ -53,6 +53,8 @@ class Wave {
     std::uint64_t rays() const { return rays_; }
 
  private:
+    static constexpr bool remembers = has_any(F, aimed_at);
+
     WalkLanes& block_of(std::size_t walk) {
         const std::size_t block = walk / lane_count;
         if (block == blocks_.size()) blocks_.emplace_back();
@@ -89,9 +91,9 @@ class Wave {
     void meet(int scatterings, WalkLanes& walks) {
         if constexpr (has(F, Effect::Environment)) add_environment(scatterings, walks);
         if (hits_.count < walks.rays.count) {
-            for (std::size_t i = 0; i < hits_.count; ++i) {
-                walks.set_carried(i, walks, hits_.ray[i]);
-            }
+            std::fill_n(flags_.data(), walks.rays.count, 0);
+            for (std::size_t i = 0; i < hits_.count; ++i) flags_[hits_.ray[i]] = 1;
+            close_up_carried(KeptLanes(walks.rays.count, flags_), walks);
         }
         for (std::size_t i = 0; i < hits_.count; ++i) {
             const Material& material = world_.materials[std::size_t(hits_.material[i])];
@@ -129,10 +131,10 @@ class Wave {
         if (!surfaces_or_sky_shine && scatterings + 1 == options_.max_scatterings) return;
 
         scatter(hits_, walks);
-        if constexpr (has_any(F, aimed_at)) remember(walks);
-        find_alive(hits_.count, walks, alive_);
+        if constexpr (remembers) remember(walks);
+        find_alive(hits_.count, walks, flags_);
         if (options_.roulette && scatterings + 1 >= options_.roulette_start) {
-            play_roulette(options_, hits_.count, walks, alive_);
+            play_roulette(options_, hits_.count, walks, flags_);
         }
         keep_alive(walks);
     }
@@ -142,12 +144,7 @@ class Wave {
         if constexpr (!has_any(F, drawn_singly)) {
             for (const PointLight& light : world_.lights) {
                 shine(EvenLight(light), hits_, walks.beta, light_);
-                for (std::size_t i = 0; i < hits_.count; ++i) {
-                    const Spectrum L = light_[i];
-                    if (L == Spectrum(0.f)) continue;
-                    add_sample(scatterings, {walks.rays.origin[i], light.position}, L,
-                               walks.path[i]);
-                }
+                add_samples(scatterings, light.position, walks);
             }
         } else {
             for (std::size_t i = 0; i < hits_.count; ++i) {
@@ -167,6 +164,21 @@ class Wave {
         }
     }
 
+    /// Adds light_ from a light at `position`, where there is any.
+    void add_samples(int scatterings, const glm::vec3& position, const WalkLanes& walks) {
+        find_lit(hits_.count, light_, flags_);
+        const KeptLanes lit(hits_.count, flags_);
+        lit.close_up(light_);
+        lit.close_up(walks.rays.origin, lit_from_);
+        lit.close_up(walks.path, lit_path_);
+        for (std::size_t i = 0; i < lit.count();) {
+            const std::size_t added = std::min(lit.count() - i, light_samples_.room());
+            light_samples_.push(lit_from_, position, light_, lit_path_, i, added);
+            if (light_samples_.full()) add_light(scatterings);
+            i += added;
+        }
+    }
+
     void add_sample(int scatterings, const Segment& segment, const Spectrum& L,
                     std::uint32_t path) {
         light_samples_.push(segment, L, path);
@@ -179,8 +191,11 @@ class Wave {
         if (segments.count == 0) return;
         tracer_.occluded(segments, hidden_);
         rays_ += segments.count;
-        for (std::size_t i = 0; i < segments.count; ++i) {
-            if (hidden_[i] != 0) continue;
+        find_seen(segments.count, hidden_, flags_);
+        const KeptLanes seen(segments.count, flags_);
+        seen.close_up(light_samples_.L);
+        seen.close_up(light_samples_.path);
+        for (std::size_t i = 0; i < seen.count(); ++i) {
             paths_[light_samples_.path[i]].add(scatterings, light_samples_.L[i]);
         }
         segments.count = 0;
@@ -195,16 +210,39 @@ class Wave {
     }
 
     /// Adds the paths that are alive to those of the next step.
-    void keep_alive(const WalkLanes& walks) {
-        for (std::size_t i = 0; i < hits_.count; ++i) {
-            if (alive_[i] == 0) continue;
+    void keep_alive(WalkLanes& walks) {
+        const KeptLanes alive(hits_.count, flags_);
+        for_each_of_ray([&](auto& lanes) { alive.close_up(lanes); }, walks);
+        close_up_carried(alive, walks);
+        for (std::size_t i = 0; i < alive.count();) {
             WalkLanes& kept = blocks_[walking_ / lane_count];
             const std::size_t to = walking_ % lane_count;
-            kept.rays.origin.set(to, walks.rays.origin[i]);
-            kept.rays.direction.set(to, walks.rays.direction[i]);
-            kept.set_carried(to, walks, i);
-            ++walking_;
+            const std::size_t added = std::min(alive.count() - i, lane_count - to);
+            if (&kept != &walks || to != i) append(walks, i, added, kept, to);
+            walking_ += added;
+            i += added;
         }
+    }
+
+    /// Moves together what the kept paths carry.
+    void close_up_carried(const KeptLanes& kept, WalkLanes& walks) const {
+        for_each_carried([&](auto& lanes) { kept.close_up(lanes); }, walks);
+        if constexpr (remembers) {
+            std::size_t next = 0;
+            for (std::size_t i = 0; next < kept.count(); ++i) {
+                if (flags_[i] != 0) walks.last[next++] = walks.last[i];
+            }
+        }
+    }
+
+    static void append(const WalkLanes& from, std::size_t first, std::size_t count, WalkLanes& kept,
+                       std::size_t to) {
+        const auto copy = [&](const auto& lanes, auto& copies) {
+            std::copy_n(lanes.data() + first, count, copies.data() + to);
+        };
+        for_each_of_ray(copy, from, kept);
+        for_each_carried(copy, from, kept);
+        if constexpr (remembers) copy(from.last, kept.last);
     }
 
     const Tracer& tracer_;
@@ -216,7 +254,9 @@ class Wave {
     std::uint64_t rays_ = 0;
     HitLanes hits_;
     Lanes3 light_;
-    Lanes<std::int32_t> alive_, hidden_;
+    Lanes<std::int32_t> flags_, hidden_;
+    Lanes3 lit_from_;
+    Lanes<std::uint32_t> lit_path_;
     LightSampleLanes light_samples_;
 };
 

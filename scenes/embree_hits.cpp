@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scenes/embree_scene.h"
+#include "scenes/kept_lanes.h"
 #include "scenes/wide.h"
 
 namespace plumbline {
@@ -26,17 +27,35 @@ float triangle_error(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
         glm::max(largest_coordinate(a), glm::max(largest_coordinate(b), largest_coordinate(c))));
 }
 
+PLUMBLINE_WIDE void find_met(std::size_t rays, const EmbreeScene::FoundLanes& found,
+                             Lanes<std::int32_t>& met, Lanes<std::uint32_t>& ray) {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < rays; ++i) {
+        met[i] = found.geometry[i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
+        ray[i] = static_cast<std::uint32_t>(i);
+    }
+}
+
+void close_up(const KeptLanes& kept, EmbreeScene::FoundLanes& found) {
+    kept.close_up(found.geometry);
+    kept.close_up(found.primitive);
+    kept.close_up(found.t);
+    kept.close_up(found.u);
+    kept.close_up(found.v);
+    kept.close_up(found.ng);
+}
+
 /// Where on their triangles the rays met them, and on which side.
-PLUMBLINE_WIDE void meet_triangles(const RayLanes& rays, const EmbreeScene::FoundLanes& found,
+PLUMBLINE_WIDE void meet_triangles(const Lanes3& direction, const EmbreeScene::FoundLanes& found,
                                    const Lanes3& corner_a, const Lanes3& corner_b,
                                    const Lanes3& corner_c, HitLanes& hits) {
 #pragma GCC ivdep
-    for (std::size_t i = 0; i < rays.count; ++i) {
+    for (std::size_t i = 0; i < hits.count; ++i) {
         const glm::vec3 a = corner_a[i], b = corner_b[i], c = corner_c[i];
         hits.position.set(i, interpolate(a, b, c, found.u[i], found.v[i]));
         hits.position_error[i] = triangle_error(a, b, c);
         const glm::vec3 ng = glm::normalize(found.ng[i]);
-        const bool back = glm::dot(ng, rays.direction[i]) > 0.f;
+        const bool back = glm::dot(ng, direction[i]) > 0.f;
         hits.back[i] = back ? 1 : 0;
         hits.n.set(i, back ? -ng : ng);
     }
@@ -89,15 +108,26 @@ Hit EmbreeScene::hit(const Ray& ray, const Found& found) const {
     return hit;
 }
 
-void EmbreeScene::hits(const RayLanes& rays, const FoundLanes& found, HitLanes& hits) const {
+void EmbreeScene::hits(const RayLanes& rays, FoundLanes& found, HitLanes& hits) const {
+    Lanes<std::int32_t> flags;
+    find_met(rays.count, found, flags, hits.ray);
+    const KeptLanes met(rays.count, flags);
+    hits.count = met.count();
+    Lanes3 closed_up;
+    const Lanes3* direction = &rays.direction;
+    if (hits.count < rays.count) {
+        close_up(met, found);
+        met.close_up(hits.ray);
+        met.close_up(rays.direction, closed_up);
+        direction = &closed_up;
+    }
     hits.t = found.t;
     hits.geometry = found.geometry;
     hits.primitive = found.primitive;
     CornerLanes corners;
     std::size_t plain = 0;
-    for (std::size_t i = 0; i < rays.count; ++i) {
-        hits.ray[i] = static_cast<std::uint32_t>(i);
-        if (is_plain(found, i)) {
+    for (std::size_t i = 0; i < hits.count; ++i) {
+        if (geometries_[found.geometry[i]].plain) {
             fetch_triangle(found, i, corners, hits);
             ++plain;
         } else {
@@ -106,13 +136,11 @@ void EmbreeScene::hits(const RayLanes& rays, const FoundLanes& found, HitLanes& 
             corners.c.set(i, glm::vec3(0.f));
         }
     }
-    meet_triangles(rays, found, corners.a, corners.b, corners.c, hits);
-    hits.count = rays.count;
-    if (plain < rays.count) close_gaps(rays, found, hits);
-}
-
-bool EmbreeScene::is_plain(const FoundLanes& found, std::size_t i) const {
-    return found.geometry[i] != RTC_INVALID_GEOMETRY_ID && geometries_[found.geometry[i]].plain;
+    meet_triangles(*direction, found, corners.a, corners.b, corners.c, hits);
+    if (plain == hits.count) return;
+    for (std::size_t i = 0; i < hits.count; ++i) {
+        if (!geometries_[found.geometry[i]].plain) hits.set(i, hit(rays[hits.ray[i]], found[i]));
+    }
 }
 
 void EmbreeScene::fetch_triangle(const FoundLanes& found, std::size_t i, CornerLanes& corners,
@@ -125,16 +153,6 @@ void EmbreeScene::fetch_triangle(const FoundLanes& found, std::size_t i, CornerL
     hits.object[i] = mesh.object;
     hits.material[i] = mesh.triangle_materials[found.primitive[i]];
     hits.albedo.set(i, world_.materials[static_cast<std::size_t>(hits.material[i])].albedo);
-}
-
-void EmbreeScene::close_gaps(const RayLanes& rays, const FoundLanes& found, HitLanes& hits) const {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < rays.count; ++i) {
-        if (found.geometry[i] == RTC_INVALID_GEOMETRY_ID) continue;
-        hits.ray[kept] = static_cast<std::uint32_t>(i);
-        hits.set(kept++, is_plain(found, i) ? hits[i] : hit(rays[i], found[i]));
-    }
-    hits.count = kept;
 }
 
 }  // namespace plumbline

@@ -63,8 +63,8 @@ class EmbreeScene {
     RTCScene scene() const { return scene_; }
     RTCDevice device() const { return device_; }
     Hit hit(const Ray& ray, const Found& found) const;
-    /// What hit() is for each ray that met something.
-    void hits(const RayLanes& rays, const FoundLanes& found, HitLanes& hits) const;
+    /// What hit() is for each ray that met something; moves these together in `found`.
+    void hits(const RayLanes& rays, FoundLanes& found, HitLanes& hits) const;
 
     /// True for the back of a one-sided material.
     bool is_culled(const glm::vec3& direction, const Found& found) const;
@@ -81,12 +81,9 @@ class EmbreeScene {
     void add(const WorldMesh& mesh);
     void add(const WorldSphere& sphere);
     bool is_plain(const WorldMesh& mesh) const;
-    bool is_plain(const FoundLanes& found, std::size_t i) const;
     struct CornerLanes;
     void fetch_triangle(const FoundLanes& found, std::size_t i, CornerLanes& corners,
                         HitLanes& hits) const;
-    /// Moves the hits up where rays missed, and makes those that fetch_triangle() cannot.
-    void close_gaps(const RayLanes& rays, const FoundLanes& found, HitLanes& hits) const;
     Hit triangle_hit(const WorldMesh& mesh, const Found& found) const;
     Hit sphere_hit(const WorldSphere& sphere, const Ray& ray, float t) const;
 

@@ -48,11 +48,15 @@ class Packet {
         copy(rays.direction.y, first, ray.dir_y);
         copy(rays.direction.z, first, ray.dir_z);
         copy(rays.t_max, first, ray.tfar);
+        int all = -1;
         for (std::size_t i = 0; i < N; ++i) {
-            const bool taken = first + i < rays.count && ray.tfar[i] > 0.f;
-            valid_[i] = taken ? -1 : 0;
+            valid_[i] = (first + i < rays.count ? -1 : 0) & (ray.tfar[i] > 0.f ? -1 : 0);
+            all &= valid_[i];
+        }
+        if (all != 0) return;
+        for (std::size_t i = 0; i < N; ++i) {
             // Embree looks at all lanes of some packets, and stops the program at a NaN.
-            if (!taken) set(i, {glm::vec3(0.f), {0.f, 0.f, 1.f}, 0.f});
+            if (valid_[i] == 0) set(i, {glm::vec3(0.f), {0.f, 0.f, 1.f}, 0.f});
         }
     }
 
