@@ -3,12 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "pathtracer/digest.h"
 #include "scenes/errors.h"
+#include "scenes/picture_size.h"
 
 namespace plumbline::pathtracer {
 namespace {
@@ -20,19 +20,21 @@ const std::string format_line = "plumbline checkpoint 2";
 // Written and read as bytes, by one program on one kind of machine (see provenance).
 static_assert(std::is_trivially_copyable_v<PixelEstimate>);
 
+glm::ivec2 size_in(const Provenance& provenance) {
+    return parsed_picture_size(provenance.at("plumbline:size")).value();
+}
+
 /// Calls visit(span) for the pixels of each row of each tile of the shard that `provenance` names.
 template <typename Pixels, typename Visit>
 void for_each_row(const Provenance& provenance, Pixels& pixels, const Visit& visit) {
-    int width = 0;
-    int height = 0;
-    std::sscanf(provenance.at("plumbline:size").c_str(), "%dx%d", &width, &height);
+    const glm::ivec2 size = size_in(provenance);
     const auto shard = provenance.find("plumbline:shard");
-    const Tiles tiles(width, height);
+    const Tiles tiles(size.x, size.y);
     for (const int tile :
          tiles.of(shard == provenance.end() ? Shard{} : parsed_shard("shard", shard->second))) {
         const Tiles::Bounds bounds = tiles.bounds(tile);
         for (int y = bounds.top; y < bounds.bottom; ++y) {
-            const auto row = std::size_t(y) * std::size_t(width) + std::size_t(bounds.left);
+            const auto row = std::size_t(y) * std::size_t(size.x) + std::size_t(bounds.left);
             visit(std::span(pixels).subspan(row, std::size_t(bounds.right - bounds.left)));
         }
     }
@@ -74,8 +76,11 @@ Checkpoint read_after_head(std::istream& stream, const nlohmann::json& head, con
                            const Provenance& provenance) {
     Checkpoint checkpoint;
     auto& [pixels, non_finite, rays, samples, allocation] = checkpoint.gathered;
-    if (head.at("pixel_bytes") != sizeof(PixelEstimate)) throw damaged(file);
-    pixels.resize(head.at("pixels"));
+    const glm::ivec2 size = size_in(provenance);
+    const std::size_t area = std::size_t(size.x) * std::size_t(size.y);
+    if (head.at("pixel_bytes") != sizeof(PixelEstimate) || head.at("pixels") != area)
+        throw damaged(file);
+    pixels.resize(area);
     rays = head.at("rays").get<std::vector<std::uint64_t>>();
     samples = head.at("samples");
     allocation.pilot = head.at("pilot");

@@ -5,9 +5,9 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>  // the parser itself, for the whole program
-#include <cstdio>
 
 #include "scenes/errors.h"
+#include "scenes/picture_size.h"
 #include "scenes/progress.h"
 #include "scenes/scene_files.h"
 
@@ -27,18 +27,15 @@ void check_threads(int threads) {
 }
 
 void set_size(CommonOptions& options, const std::string& text) {
-    int width = 0;
-    int height = 0;
-    char rest = 0;
-    const int read = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest);
-    if (read != 2 || width < 1 || height < 1 || width > largest_side || height > largest_side) {
+    const auto size = parsed_picture_size(text);
+    if (!size || size->x > largest_side || size->y > largest_side) {
         throw UsageError(
             "--size", fmt::format("'{}' is not a size", text),
             fmt::format("give WIDTHxHEIGHT in pixels, such as 480x270, each side 1 to {}",
                         largest_side));
     }
-    options.width = width;
-    options.height = height;
+    options.width = size->x;
+    options.height = size->y;
 }
 
 }  // namespace

@@ -28,6 +28,9 @@ class Packet {
             rays_.ray.id[i] = 0;
             rays_.ray.flags[i] = 0;
             valid_[i] = 0;
+            // Of a ray that meets nothing these stay, and are computed with beside those of others.
+            rays_.hit.u[i] = rays_.hit.v[i] = 0.f;
+            rays_.hit.Ng_x[i] = rays_.hit.Ng_y[i] = rays_.hit.Ng_z[i] = 0.f;
         }
     }
 

@@ -162,6 +162,13 @@ TEST_CASE("a checkpoint of another render is refused with the reason", "[pathtra
         file.seekp(-1000, std::ios::end);
         file.put('x');
     }
+    SECTION("a number of pixels that is not its size's") {
+        std::fstream file(stopped.file, std::ios::in | std::ios::out | std::ios::binary);
+        const std::string start(std::istreambuf_iterator<char>(file), {});
+        const std::size_t digit = start.find("\"pixels\":") + std::string("\"pixels\":").size();
+        file.seekp(static_cast<std::streamoff>(digit));
+        file.put(start[digit] == '1' ? '2' : '1');
+    }
     SECTION("something else") { folder.write("o.checkpoint", "PNG"); }
     refused(scene, options, "is not a whole checkpoint; delete it");
 }
