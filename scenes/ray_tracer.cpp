@@ -121,11 +121,7 @@ void RayTracer::intersect(const RayLanes& rays, BackFaces back_faces, Coherence 
                           HitLanes& hits) const {
     NearestContext context = nearest_context(*embree_, back_faces, coherence);
     EmbreeScene::FoundLanes found;
-    // The boxes that rays of any direction meet have little in common.
-    constexpr int widest_incoherent = 4;
-    const int width = coherence == Coherence::Coherent ? packet_width_
-                                                       : std::min(packet_width_, widest_incoherent);
-    with_width(width, [&]<typename P>() {
+    with_width(packet_width_, [&]<typename P>() {
         P packet;
         for (std::size_t first = 0; first < rays.count; first += P::width) {
             packet.load(rays, first);
