@@ -68,7 +68,7 @@ Hit EmbreeScene::triangle_hit(const WorldMesh& mesh, const Found& found) const {
     const glm::vec3& a = mesh.positions[triangle.x];
     const glm::vec3& b = mesh.positions[triangle.y];
     const glm::vec3& c = mesh.positions[triangle.z];
-    Hit hit;
+    Hit hit{};
     hit.object = mesh.object;
     hit.material = mesh.triangle_materials[found.primitive];
     hit.position = interpolate(a, b, c, found.u, found.v);
@@ -86,7 +86,7 @@ Hit EmbreeScene::triangle_hit(const WorldMesh& mesh, const Found& found) const {
 }
 
 Hit EmbreeScene::sphere_hit(const WorldSphere& sphere, const Ray& ray, float t) const {
-    Hit hit;
+    Hit hit{};
     hit.object = sphere.object;
     hit.material = sphere.material;
     const glm::vec3 outward = glm::normalize(ray.origin + t * ray.direction - sphere.center);

@@ -9,16 +9,17 @@ namespace plumbline {
 namespace {
 
 constexpr std::size_t group_size = KeptLanes::group_size;
+constexpr std::size_t choices = std::size_t{1} << group_size;
 using Group [[gnu::vector_size(32)]] = std::uint32_t;
 
 /// For every choice of a group's lanes the places of those chosen, in order, four binary digits
 /// each from the lowest on; then any.
 constexpr auto places_of = [] {
-    std::array<std::uint32_t, 1u << group_size> places{};
-    for (unsigned chosen = 0; chosen < places.size(); ++chosen) {
+    std::array<std::uint32_t, choices> places{};
+    for (unsigned chosen = 0; chosen < choices; ++chosen) {
         unsigned next = 0;
         for (unsigned lane = 0; lane < group_size; ++lane) {
-            if ((chosen >> lane & 1u) != 0) places[chosen] |= lane << (4 * next++);
+            if (((chosen >> lane) & 1u) != 0) places[chosen] |= lane << (4 * next++);
         }
     }
     return places;
