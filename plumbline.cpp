@@ -16,7 +16,8 @@ namespace {
 constexpr int bad_input = 2;
 
 int fail(const char* line) {
-    std::fprintf(stderr, "plumbline: %s\n", line);
+    // Not by fmt, which allocates: memory may be out. What cannot be said cannot be told of.
+    static_cast<void>(std::fprintf(stderr, "plumbline: %s\n", line));
     return bad_input;
 }
 

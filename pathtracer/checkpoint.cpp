@@ -8,7 +8,7 @@
 
 #include "pathtracer/digest.h"
 #include "scenes/errors.h"
-#include "scenes/picture_size.h"
+#include "scenes/number_pair.h"
 
 namespace plumbline::pathtracer {
 namespace {
@@ -21,7 +21,7 @@ const std::string format_line = "plumbline checkpoint 2";
 static_assert(std::is_trivially_copyable_v<PixelEstimate>);
 
 glm::ivec2 size_in(const Provenance& provenance) {
-    return parsed_picture_size(provenance.at("plumbline:size")).value();
+    return parsed_pair(provenance.at("plumbline:size"), 'x').value();
 }
 
 /// Calls visit(span) for the pixels of each row of each tile of the shard that `provenance` names.

@@ -3,11 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <cstdio>
-
 #include "pathtracer/digest.h"
 #include "scenes/effects.h"
 #include "scenes/errors.h"
+#include "scenes/number_pair.h"
 #include "scenes/write_json.h"
 
 namespace plumbline::pathtracer {
@@ -101,14 +100,12 @@ std::string shard_text(const Shard& shard) {
 }
 
 Shard parsed_shard(const std::string& where, const std::string& text) {
-    Shard shard;
-    char rest = 0;
-    const int read = std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest);
-    if (read != 2 || shard.count < 1 || shard.index < 1 || shard.index > shard.count) {
+    const auto shard = parsed_pair(text, '/');
+    if (!shard || shard->x > shard->y) {
         throw UsageError(where, fmt::format("'{}' is not a shard", text),
                          "give I/N, such as 1/4 to 4/4");
     }
-    return shard;
+    return {.index = shard->x, .count = shard->y};
 }
 
 }  // namespace plumbline::pathtracer

@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>  // the parser itself, for the whole program
 
 #include "scenes/errors.h"
-#include "scenes/picture_size.h"
+#include "scenes/number_pair.h"
 #include "scenes/progress.h"
 #include "scenes/scene_files.h"
 
@@ -27,7 +27,7 @@ void check_threads(int threads) {
 }
 
 void set_size(CommonOptions& options, const std::string& text) {
-    const auto size = parsed_picture_size(text);
+    const auto size = parsed_pair(text, 'x');
     if (!size || size->x > largest_side || size->y > largest_side) {
         throw UsageError(
             "--size", fmt::format("'{}' is not a size", text),
