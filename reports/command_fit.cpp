@@ -86,7 +86,7 @@ void show_step(const compare::Step& step) {
     if (!Progress::visible()) return;
     fmt::print(stderr, "\rfit: round {}, iteration {}, cost {:.6g}, gradient {:.2g}   ", step.round,
                step.iteration, step.cost, step.gradient);
-    std::fflush(stderr);
+    static_cast<void>(std::fflush(stderr));
 }
 
 void print_result(const FitOptions& options, const compare::FitResult& result) {

@@ -51,7 +51,7 @@ void run(const StressOptions& options) {
     const std::vector<reports::CaseResult> results =
         reports::run_cases(cases, [&](const reports::CaseResult& result) {
             fmt::print(terminal, "{}", reports::to_text(result));
-            std::fflush(terminal);  // into a pipe too, line by line
+            static_cast<void>(std::fflush(terminal));  // into a pipe too, line by line
         });
     const std::string json = reports::to_json(results).dump(2) + "\n";
     if (options.json) fmt::print("{}", json);

@@ -31,7 +31,7 @@ Progress::Progress(std::string label, std::uint64_t total, std::uint64_t done)
       start_(std::chrono::steady_clock::now()) {}
 
 Progress::~Progress() {
-    if (visible_) std::fputs("\r\033[K", stderr);
+    if (visible_) static_cast<void>(std::fputs("\r\033[K", stderr));
 }
 
 void Progress::silence() { silenced = true; }
@@ -66,7 +66,7 @@ void Progress::draw(std::uint64_t done) {
     const std::string left =
         steps > 0 ? clock_text(elapsed.count() * steps_left / steps) + " left" : "";
     fmt::print(stderr, "\r\033[K{} [{}] {:3.0f} % {}", label_, bar, 100 * part, left);
-    std::fflush(stderr);
+    static_cast<void>(std::fflush(stderr));
 }
 
 }  // namespace plumbline
