@@ -152,7 +152,7 @@ std::string strip_png(const SceneReport& scene) {
     const int block = (width + widest_picture - 1) / widest_picture;
     std::vector<Image> pictures{shrunk(scene.truth.image, block)};
     for (const ModelRun& run : scene.models) pictures.push_back(shrunk(run.result.image, block));
-    const auto row_bytes = static_cast<std::size_t>(3 * pictures[0].width());
+    const auto row_bytes = std::size_t{3} * static_cast<std::size_t>(pictures[0].width());
     const auto height = static_cast<std::size_t>(pictures[0].height());
     std::vector<unsigned char> strip(row_bytes * pictures.size() * height);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
