@@ -12,7 +12,7 @@ namespace plumbline::reports {
 std::string number_text(double value) {
     const double magnitude = std::abs(value);
     if (!std::isfinite(value) || value == 0) return fmt::format("{}", value);
-    const std::string scientific = fmt::format("{:.2e}", value);
+    std::string scientific = fmt::format("{:.2e}", value);
     if (magnitude >= 1e5 || magnitude < 1e-4) return scientific;
     // The exponent after rounding: 0.00999999 has that of 0.0100.
     const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
@@ -31,7 +31,7 @@ std::string duration_text(double seconds) {
     if (seconds < 1e-3) return number_text(1e6 * seconds) + " \u00b5s";
     if (seconds < 1) return number_text(1e3 * seconds) + " ms";
     if (seconds < 60) return number_text(seconds) + " s";
-    const auto whole = static_cast<std::int64_t>(seconds + 0.5);
+    const auto whole = std::llround(seconds);
     if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
     return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
 }
