@@ -17,24 +17,6 @@ constexpr float most_probes_along_an_axis = 1024.f;
 
 }  // namespace
 
-std::uint32_t probe_count(const ProbeGrid& grid) {
-    return static_cast<std::uint32_t>(grid.counts.x * grid.counts.y * grid.counts.z);
-}
-
-std::uint32_t probe_index(const ProbeGrid& grid, const glm::ivec3& cell) {
-    return static_cast<std::uint32_t>((cell.y * grid.counts.x + cell.x) * grid.counts.z + cell.z);
-}
-
-glm::ivec3 probe_cell(const ProbeGrid& grid, std::uint32_t probe) {
-    const auto index = static_cast<int>(probe);
-    const int line = index / grid.counts.z;
-    return {line % grid.counts.x, line / grid.counts.x, index % grid.counts.z};
-}
-
-glm::vec3 probe_position(const ProbeGrid& grid, std::uint32_t probe) {
-    return grid.origin + grid.spacing * glm::vec3(probe_cell(grid, probe));
-}
-
 ProbeGrid with_spacing(const ProbeGrid& grid, float spacing) {
     if (!(spacing > 0.f) || !std::isfinite(spacing)) {
         throw UsageError("--spacing", fmt::format("{} is not a distance between probes", spacing),

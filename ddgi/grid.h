@@ -9,17 +9,27 @@
 namespace plumbline::ddgi {
 
 /// How many probes a grid has.
-std::uint32_t probe_count(const ProbeGrid& grid);
+inline std::uint32_t probe_count(const ProbeGrid& grid) {
+    return static_cast<std::uint32_t>(grid.counts.x * grid.counts.y * grid.counts.z);
+}
 
 /// Where a probe is stored: layer by layer in y; within a layer, lines of constant x; z contiguous
 /// [Dellson 2023, section 4.3.3].
-std::uint32_t probe_index(const ProbeGrid& grid, const glm::ivec3& cell);
+inline std::uint32_t probe_index(const ProbeGrid& grid, const glm::ivec3& cell) {
+    return static_cast<std::uint32_t>((cell.y * grid.counts.x + cell.x) * grid.counts.z + cell.z);
+}
 
 /// The inverse of probe_index.
-glm::ivec3 probe_cell(const ProbeGrid& grid, std::uint32_t probe);
+inline glm::ivec3 probe_cell(const ProbeGrid& grid, std::uint32_t probe) {
+    const auto index = static_cast<int>(probe);
+    const int line = index / grid.counts.z;
+    return {line % grid.counts.x, line / grid.counts.x, index % grid.counts.z};
+}
 
 /// Where a probe stands, world space.
-glm::vec3 probe_position(const ProbeGrid& grid, std::uint32_t probe);
+inline glm::vec3 probe_position(const ProbeGrid& grid, std::uint32_t probe) {
+    return grid.origin + grid.spacing * glm::vec3(probe_cell(grid, probe));
+}
 
 /// The grid over the same extent with another spacing, centred on it; where the spacing does not
 /// divide the extent the new grid reaches over it by less than a cell.

@@ -132,7 +132,7 @@ void MotionMarker::mark_places(const Surfels& surfels, const Motion& motion,
         }
         const int* objects = &surfels.object[probe * of_rays.size()];
         for (std::size_t ray = 0; ray < of_rays.size(); ++ray) {
-            const auto object = static_cast<std::size_t>(objects[ray] + 1);
+            const auto object = static_cast<std::size_t>(std::int64_t{objects[ray]} + 1);
             of_rays[ray] = static_cast<std::uint8_t>(of_rays[ray] | on_object[object]);
         }
         marks.join(probe);

@@ -62,9 +62,9 @@ template <unsigned bit>
 
 /// The ways from a point to the eight probes around it.
 struct WaysOfPoint {
-    glm::ivec3 lower;       ///< of the cell that it is in
     Float8 px, py, pz;      ///< the probes
     Float8 wx, wy, wz;      ///< from the point to them
+    glm::ivec3 lower;       ///< of the cell that it is in
     std::uint8_t in_front;  ///< bit k: probe k counts, and stands in front of the surface
 };
 

@@ -139,10 +139,15 @@ template <typename T>
 void thesis_propagate(const ProbeGrid& grid, std::span<const float> miss_shares,
                       const T& propagation, std::span<const T> lit, std::span<const T> previous,
                       std::span<T> next) {
+    // A neighbour is as far along the probes' order wherever one stands.
+    std::array<std::uint32_t, octant_count> further;
+    const std::uint32_t one = probe_index(grid, glm::ivec3(1));
+    for (std::size_t d = 0; d < octant_count; ++d)
+        further[d] = probe_index(grid, 1 + principal_directions[d]) - one;
     tbb::parallel_for(std::uint32_t{0}, probe_count(grid), [&](std::uint32_t probe) {
-        const glm::ivec3 inner = thesis_inner_cell(grid, probe);
+        const std::uint32_t inner = probe_index(grid, thesis_inner_cell(grid, probe));
         for (std::size_t d = 0; d < octant_count; ++d) {
-            const std::uint32_t neighbour = probe_index(grid, inner + principal_directions[d]);
+            const std::uint32_t neighbour = inner + further[d];
             const T passed = propagation * Coefficient<T>(miss_shares[probe * octant_count + d]);
             for (std::size_t c = 0; c < 3; ++c) {
                 const std::size_t here = value_index(probe, c, d, octant_count);

@@ -77,9 +77,9 @@ bool EmbreeScene::is_culled(const glm::vec3& direction, const Found& found) cons
     const bool inward = geometry.sphere != nullptr && geometry.sphere->inward;
     const bool back = (glm::dot(found.ng, direction) > 0.f) != inward;
     if (!back) return false;
-    const int material = geometry.mesh != nullptr
-                             ? geometry.mesh->triangle_materials[found.primitive]
-                             : geometry.sphere->material;
+    const int material = geometry.sphere != nullptr
+                             ? geometry.sphere->material
+                             : geometry.mesh->triangle_materials[found.primitive];
     return !world_.materials[static_cast<std::size_t>(material)].two_sided;
 }
 

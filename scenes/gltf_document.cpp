@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "scenes/errors.h"
 #include "scenes/input_files.h"
@@ -79,7 +80,8 @@ std::vector<std::string> load_buffers(const JsonView& root, std::optional<std::s
         if (uri && !uris.insert(uri->text()).second) {
             uri->fail("is the file of an earlier buffer too", "let views share one buffer");
         }
-        buffers.push_back(uri ? load_uri(*uri, folder) : std::move(*binary));
+        buffers.push_back(uri ? load_uri(*uri, folder)
+                              : std::exchange(binary, std::nullopt).value());
         if (buffers.back().size() < length) {
             buffer.at("byteLength")
                 .fail(fmt::format("is {}, but there are {} bytes", length, buffers.back().size()),

@@ -9,7 +9,8 @@ glm::mat4 matrix_of(const JsonView& item) {
     glm::mat4 matrix;
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
-            matrix[column][row] = static_cast<float>(numbers[std::size_t(4 * column + row)]);
+            matrix[column][row] =
+                static_cast<float>(numbers[4 * std::size_t(column) + std::size_t(row)]);
         }
     }
     return matrix;

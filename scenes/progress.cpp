@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace plumbline {
@@ -16,7 +17,7 @@ constexpr std::int64_t redraw_ms = 200;
 std::atomic<bool> silenced = false;
 
 std::string clock_text(double seconds) {
-    const auto s = static_cast<std::int64_t>(seconds + 0.5);
+    const auto s = std::llround(seconds);
     return fmt::format("{}:{:02}", s / 60, s % 60);
 }
 

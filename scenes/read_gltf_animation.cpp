@@ -13,6 +13,8 @@ namespace plumbline {
 namespace {
 
 constexpr int longest_spline = 1'000'000;
+/// From here on floats skip whole frames.
+constexpr float last_told_apart = 16'777'216.f;
 
 /// A sampler's keyframes as they are written: `values` has 3 rows a key if `cubic`.
 struct Keys {
@@ -94,6 +96,10 @@ Track<glm::vec4> sampled(const Keys& keys, float frames_per_second) {
         keys.place.fail(fmt::format("is a spline over {:g} frames", last - first),
                         fmt::format("the longest has {}", longest_spline));
     }
+    if (!(std::max(std::abs(first), std::abs(last)) < last_told_apart)) {
+        keys.place.fail(fmt::format("is a spline from frame {:g} to {:g}", first, last),
+                        fmt::format("whole frames are told apart up to {}", last_told_apart));
+    }
     std::size_t i = 0;
     const auto add = [&](float frame) {
         while (i + 2 < keys.frames.size() && frame >= keys.frames[i + 1]) ++i;
@@ -103,7 +109,9 @@ Track<glm::vec4> sampled(const Keys& keys, float frames_per_second) {
     };
     if (keys.frames.size() == 1) return {Interpolation::Linear, {first}, {keys.row(1)}};
     add(first);
-    for (float frame = std::floor(first) + 1; frame < last; ++frame) add(frame);
+    const auto after_first = static_cast<int>(std::floor(first)) + 1;
+    const auto end = static_cast<int>(std::ceil(last));
+    for (int frame = after_first; frame < end; ++frame) add(static_cast<float>(frame));
     add(last);
     return track;
 }
