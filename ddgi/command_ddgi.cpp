@@ -57,6 +57,7 @@ nlohmann::ordered_json json_of(const DdgiResult& result, const DdgiOptions& opti
     json["place_ms"] = figures.place_ms;
     json["light_ms"] = figures.light_ms;
     json["primary_ms"] = figures.primary_ms;
+    for (const TimedStep& step : timed_steps) json["steps_ms"][step.name] = figures.steps.*step.ms;
     json["probes"] = figures.probes;
     json["surfels"] = figures.surfels;
     json["surfels_hit"] = figures.surfels_hit;

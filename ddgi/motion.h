@@ -8,6 +8,9 @@
 
 namespace plumbline::ddgi {
 
+/// Well above the relative rounding of distances, well below what moves in a frame.
+constexpr float distance_rounding = 1e-5f;
+
 /// A box along axes of its own: as close around a block that turned as around one that did not.
 struct OrientedBox {
     glm::mat3 axes{1.f};  ///< its columns are the axes: of unit length, at right angles

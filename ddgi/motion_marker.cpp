@@ -12,9 +12,6 @@
 namespace plumbline::ddgi {
 namespace {
 
-/// Well above the relative rounding of distances, well below what moves in a frame.
-constexpr float distance_rounding = 1e-5f;
-
 bool overlap(const Bounds& a, const Bounds& b) {
     return glm::all(glm::lessThanEqual(a.lower, b.upper)) &&
            glm::all(glm::lessThanEqual(b.lower, a.upper));

@@ -10,9 +10,6 @@
 namespace plumbline::ddgi {
 namespace {
 
-/// Well above the relative rounding of distances, well below what moves in a frame.
-constexpr float distance_rounding = 1e-5f;
-
 constexpr float inside_share = .25f;  // [Majercik et al. 2021]
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ddgi/probe_options.h"
+#include "ddgi/step_times.h"
 #include "scenes/image.h"
 #include "scenes/scene.h"
 
@@ -52,6 +53,7 @@ struct FrameFigures {
     std::uint64_t surfels_lit = 0;      ///< of surfels_hit, those with light of their own
     std::uint64_t surfels_waiting = 0;  ///< for their turn in the budget
     int oldest_wait = 0;                ///< of these, in updates since it was touched
+    StepTimes steps;                    ///< what place_ms and light_ms are made of
 };
 
 /// A still is updated until no probe changes by more than this, relative to its largest value.

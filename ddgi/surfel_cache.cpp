@@ -64,18 +64,18 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
         marker_.mark_places(surfels_, motion, marks_);
         if (queue_) marker_.confirm_places(surfels_, tracer.world(), motion, marks_);
         marker_.mark_near(surfels_, motion, marks_);
-        figures_.place_ms += placing.ms();
+        figures_.steps.mark_places += placing.ms();
         const Stopwatch lighting;
         marker_.mark_shadows(surfels_, tracer.world(), motion, hits_of_, marks_);
         leave_to_sources();
-        figures_.light_ms = lighting.ms();
+        figures_.steps.mark_shadows += lighting.ms();
     } else if (waiting() == 0) {
         return;
     }
     if (queue_) {
         const Stopwatch choosing;
         queue_->take_turn(marks_);
-        figures_.place_ms += choosing.ms();
+        figures_.steps.mark_places += choosing.ms();
     }
     place_marked(tracer, true);
     share_light();
@@ -89,7 +89,7 @@ void SurfelCache::take_planes(const World& world) {
     if (!planes_) return;
     const Stopwatch watch;
     planes_->take(world);
-    figures_.place_ms += watch.ms();
+    figures_.steps.planes += watch.ms();
 }
 
 /// With `unless_there` those whose rays end where they did stay as they are, and lose the mark.
@@ -118,7 +118,7 @@ void SurfelCache::place_marked(const RayTracer& tracer, bool unless_there) {
     figures_.traced = traced;
     figures_.replaced = replaced;
     hits_ = std::reduce(hits_of_.begin(), hits_of_.end(), std::uint64_t{0});
-    figures_.place_ms += watch.ms();
+    figures_.steps.place += watch.ms();
 }
 
 /// Puts a surfel where its ray ends, number `i` of `ends`.
@@ -159,7 +159,7 @@ void SurfelCache::share_light() {
                 marks_.add(i, Mark::Sourced | Mark::Lit | Mark::Seen);
         }
     });
-    figures_.place_ms += watch.ms();
+    figures_.steps.place += watch.ms();
 }
 
 /// Hands the light of sources to all that show it, and their marks.
@@ -175,7 +175,7 @@ void SurfelCache::spread_light() {
             surfels_.direct[i] = surfels_.direct[source];
         }
     });
-    figures_.light_ms += watch.ms();
+    figures_.steps.light += watch.ms();
 }
 
 /// Those of `surfels` that light is measured at, and where.
@@ -208,7 +208,7 @@ void SurfelCache::see_marked(const RayTracer& tracer) {
             surfels_.seen[surfel] = seen[i];
         }
     });
-    figures_.place_ms += watch.ms();
+    figures_.steps.see += watch.ms();
 }
 
 void SurfelCache::light_marked(const RayTracer& tracer) {
@@ -229,7 +229,7 @@ void SurfelCache::light_marked(const RayTracer& tracer) {
         shadow_rays += rays;
     });
     figures_.shadow_rays = shadow_rays;
-    figures_.light_ms += watch.ms();
+    figures_.steps.light += watch.ms();
 }
 
 }  // namespace plumbline::ddgi

@@ -12,6 +12,7 @@
 #include "ddgi/motion_marker.h"
 #include "ddgi/patterns.h"
 #include "ddgi/seen_probes.h"
+#include "ddgi/step_times.h"
 #include "ddgi/surfel_cells.h"
 #include "ddgi/surfel_ends.h"
 #include "ddgi/surfel_marks.h"
@@ -66,8 +67,7 @@ class SurfelCache {
 
     /// What the last call did, and what it took.
     struct Figures {
-        double place_ms = 0;
-        double light_ms = 0;
+        StepTimes steps;  ///< all but what a model does
         std::uint64_t replaced = 0;
         std::uint64_t shadow_rays = 0;
         std::uint64_t traced = 0;  ///< rays that told which surfels are to be re-placed

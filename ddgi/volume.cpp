@@ -68,13 +68,19 @@ void ProbeVolume::move_to(int frame) {
     if (due) take_surfels(afresh ? nullptr : &motion);
 }
 
+void ProbeVolume::note(const StepTimes& times) {
+    figures_.steps += times;
+    figures_.place_ms = figures_.steps.placing();
+    figures_.light_ms = figures_.steps.lighting();
+}
+
 /// Hands the surfels to the model. `motion` as for ProbeModel::take_world().
 void ProbeVolume::take_surfels(const Motion* motion) {
-    const Stopwatch lighting;
+    const Stopwatch watch;
     setup_.model->take_world(stage_->tracer, cache_, motion);
     setup_.model->take_surfels(cache_);
     settled_ = false;
-    figures_.light_ms += lighting.ms();
+    note({.take = watch.ms()});
 }
 
 /// Re-places the surfels whose turn it is, in a world at rest.
@@ -87,8 +93,7 @@ void ProbeVolume::serve_waiting() {
 
 /// Adds what the cache's last call did to the frame's figures.
 void ProbeVolume::note_surfels() {
-    figures_.place_ms += cache_.figures().place_ms;
-    figures_.light_ms += cache_.figures().light_ms;
+    note(cache_.figures().steps);
     figures_.replaced += cache_.figures().replaced;
     figures_.surfel_shadow_rays += cache_.figures().shadow_rays;
     figures_.shadow_rays = figures_.surfel_shadow_rays;
@@ -127,7 +132,7 @@ void ProbeVolume::update() {
     settled_ = change.none && setup_.model->settles();
     figures_.relative_change = change.relative;
     figures_.converged = change.relative < convergence_threshold && cache_.waiting() == 0;
-    figures_.light_ms += watch.ms();
+    note({.update = watch.ms()});
 }
 
 void ProbeVolume::converge() {

@@ -42,6 +42,7 @@ class ProbeVolume {
     struct Stage;
 
     void turn_rays();
+    void note(const StepTimes& times);
     void note_surfels();
     void take_surfels(const Motion* motion);
     void serve_waiting();

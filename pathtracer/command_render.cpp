@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -63,10 +64,12 @@ void print_json(const Scene& scene, const BounceLimit& limit, const RenderResult
 void tell(const RenderResult& result, const std::string& output) {
     const auto& [mean, fewest, most] = result.counts;
     const std::string spread = fewest == most ? "" : fmt::format(" ({} to {})", fewest, most);
-    fmt::print(stderr,
-               "{}: {} samples a pixel{} in {:.2f} s, {:.1f} million rays/s, relMSE about {:.2g}\n",
-               output, result.spp, spread, result.seconds,
-               double(result.rays) / result.seconds * 1e-6, result.relmse_estimate);
+    const std::string relmse = std::isnan(result.relmse_estimate)
+                                   ? "relMSE unknown"
+                                   : fmt::format("relMSE about {:.2g}", result.relmse_estimate);
+    fmt::print(stderr, "{}: {} samples a pixel{} in {:.2f} s, {:.1f} million rays/s, {}\n", output,
+               result.spp, spread, result.seconds, double(result.rays) / result.seconds * 1e-6,
+               relmse);
     if (const auto& first = result.non_finite.first) {
         fmt::print(
             stderr,

@@ -10,8 +10,6 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr std::uint32_t none = ~0u;
 
-float mean(const Spectrum& L) { return (L.r + L.g + L.b) / 3.f; }
-
 /// The normal of a triangle's front times twice its area; in double, where it cannot underflow.
 glm::dvec3 area_normal(const WorldMesh& mesh, std::uint32_t primitive) {
     const glm::uvec3& t = mesh.triangles[primitive];
@@ -59,7 +57,7 @@ void Emitters::add_mesh(const WorldMesh& mesh, int index, std::vector<LightBound
         for (int c = 0; c < 3; ++c) light.box.extend(mesh.positions[mesh.triangles[i][c]]);
         light.normals = {glm::vec3(glm::normalize(normal)), 0.f};
         light.two_sided = material.two_sided;
-        light.power = area * mean(material.emission);
+        light.power = area * strength(material.emission);
         emitter_of.resize(mesh.triangles.size(), none);
         emitter_of[i] = static_cast<std::uint32_t>(emitters_.size());
         emitters_.push_back({index, primitive, material.emission, material.two_sided});
@@ -72,7 +70,7 @@ void Emitters::add_sphere(const WorldSphere& sphere, int index, std::vector<Ligh
     if (material.emission == Spectrum(0.f)) return;
     LightBounds light;
     light.box = {sphere.center - sphere.radius, sphere.center + sphere.radius};
-    light.power = area_of(sphere) * mean(material.emission);
+    light.power = area_of(sphere) * strength(material.emission);
     emitter_of_[world_.meshes.size() + static_cast<std::size_t>(index)] = {
         static_cast<std::uint32_t>(emitters_.size())};
     emitters_.push_back(

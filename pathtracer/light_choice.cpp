@@ -6,19 +6,13 @@
 #include <numbers>
 
 namespace plumbline::pathtracer {
-namespace {
-
-float mean(const Spectrum& L) { return (L.r + L.g + L.b) / 3.f; }
-
-}  // namespace
-
 LightBounds light_bounds(const PointLight& light) {
     LightBounds bounds;
     bounds.box = {light.position - light.radius, light.position + light.radius};
     if (light.falloff == Falloff::InverseSquare) {
-        bounds.power = mean(light.intensity);
+        bounds.power = strength(light.intensity);
     } else {
-        bounds.constant_power = std::numbers::pi_v<float> * mean(light.white_radiance);
+        bounds.constant_power = std::numbers::pi_v<float> * strength(light.white_radiance);
     }
     if (light.cone) {
         // Whole up to the inner angle: as if normals went so far.

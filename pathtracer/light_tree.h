@@ -18,6 +18,11 @@ struct DirectionCone {
 /// The smallest cone around both.
 DirectionCone joined(const DirectionCone& a, const DirectionCone& b);
 
+/// What a light's spectrum counts for when one of many is chosen.
+inline float strength(const Spectrum& spectrum) {
+    return (spectrum.r + spectrum.g + spectrum.b) / 3.f;
+}
+
 /// Where light comes from, for choosing: a box that holds it, its power, and a cone that holds the
 /// normals of its surfaces, from which they shine up to 90 degrees away, or less.
 struct LightBounds {

@@ -25,23 +25,22 @@ void probe_update(benchmark::State& state) {
     ProbeVolume volume(scene, options);
     volume.move_to(first_frame);
     volume.update();
-    double place_ms = 0., light_ms = 0., replaced = 0., shadow_rays = 0.;
+    StepTimes steps;
+    double replaced = 0., shadow_rays = 0.;
     int frame = first_frame;
     int step = 1;
     for (auto _ : state) {
         if (frame + step > last_frame || frame + step < first_frame) step = -step;
         volume.move_to(frame += step);
         volume.update();
-        place_ms += volume.figures().place_ms;
-        light_ms += volume.figures().light_ms;
+        steps += volume.figures().steps;
         replaced += double(volume.figures().replaced);
         shadow_rays += double(volume.figures().surfel_shadow_rays);
     }
     const auto mean = [](double sum) {
         return benchmark::Counter(sum, benchmark::Counter::kAvgIterations);
     };
-    state.counters["place_ms"] = mean(place_ms);
-    state.counters["light_ms"] = mean(light_ms);
+    for (const auto& [name, ms] : timed_steps) state.counters[name] = mean(steps.*ms);
     state.counters["replaced"] = mean(replaced);
     state.counters["shadow_rays"] = mean(shadow_rays);
 }

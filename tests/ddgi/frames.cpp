@@ -67,6 +67,31 @@ TEST_CASE("the cache changes no byte of any frame, and saves work", "[ddgi]") {
     CHECK(same_bytes(render(scene, 5, options_for(model)).image, render(scene, 5, uncached).image));
 }
 
+TEST_CASE("a frame's time is that of its steps, and once settled at rest it takes none", "[ddgi]") {
+    const Scene scene = room_with_moving_block();
+    ProbeVolume volume(scene, options_for("conserving"));
+    volume.move_to(3);
+    volume.update();
+    const int moving = 4;
+    volume.move_to(moving);
+    volume.converge();
+    const FrameFigures& figures = volume.figures();
+    for (const TimedStep& step : timed_steps) {
+        INFO(step.name);
+        CHECK(figures.steps.*step.ms > 0.);
+    }
+    CHECK(figures.place_ms == figures.steps.placing());
+    CHECK(figures.light_ms == figures.steps.lighting());
+
+    for (int i = 0; i < most_updates && figures.relative_change > 0.; ++i) volume.update();
+    volume.move_to(moving);
+    volume.update();
+    for (const TimedStep& step : timed_steps) {
+        INFO(step.name);
+        CHECK(figures.steps.*step.ms == 0.);
+    }
+}
+
 TEST_CASE("with every storage and weights the cache changes no byte of any frame", "[ddgi]") {
     const Scene scene = room_with_moving_block();
     DdgiOptions cached = options_for("conserving");
