@@ -95,11 +95,13 @@ StudySection scene_section(const AblationScene& scene) {
     std::size_t color = 0;
     for (const std::string& group : groups_of(scene)) {
         section.tables.push_back(group_table(scene, group));
-        StudySeries points{group, fmt::format("series-{}", color++), {}, {}, false, true};
+        StudySeries points{group, fmt::format("series-{}", color++), {}, {}, false, true, false,
+                           {}};
         for (const AblationRow& row : scene.rows) {
             if (row.subject.group != group) continue;
             points.x.push_back(row.update_ms + row.primary_ms);
             points.y.push_back(bias_rms(row));
+            points.names.push_back(row.subject.name);
         }
         times.series.push_back(points);
     }

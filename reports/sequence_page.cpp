@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/published_timings.h"
 #include "reports/sequence_summary.h"
@@ -92,6 +93,10 @@ std::string ms_text(const std::optional<SequenceMeans>& means, double SequenceMe
     return means ? number_text(*means.*member) : "none";
 }
 
+std::string replaced_text(const std::optional<SequenceMeans>& means) {
+    return means ? count_text(static_cast<std::uint64_t>(std::llround(means->replaced))) : "none";
+}
+
 double value_of(const std::optional<SequenceMeans>& means, double SequenceMeans::*member) {
     return means ? *means.*member : 0;
 }
@@ -121,8 +126,7 @@ StudySection averages_section(const Sequence& sequence, const std::string& scene
                 row.push_back(ms_text(*means, member));
             }
         }
-        for (const auto* means : {&still, &animated})
-            row.push_back(ms_text(*means, &SequenceMeans::replaced));
+        for (const auto* means : {&still, &animated}) row.push_back(replaced_text(*means));
         table.rows.push_back(row);
     }
     return {"Averages", {}, {table}, {chart}, {}};
@@ -173,14 +177,17 @@ StudyPage sequence_page(const Sequence& sequence, const std::string& scene,
     StudyPage page;
     page.title = "Timing study: " + scene;
     page.command = command;
-    page.lead = {saving_sentence(sequence, scene),
-                 fmt::format("Model {}, {} frames spread over the scene's own, each the mean of "
-                             "{} runs. Averages leave out the first {} frames, charts the first "
-                             "{}; animated frames are those in which something moved. The probe "
-                             "update is placing and lighting surfels and updating the probes; "
-                             "rebuilding the acceleration structure is part of neither time.",
-                             sequence.model, sequence.scene_frames.size(), sequence.repeats,
-                             frames_left_out(sequence), first_charted(sequence))};
+    page.lead = {
+        saving_sentence(sequence, scene),
+        fmt::format("Model {}, {} frames spread over the scene's own, each {}. Averages leave out "
+                    "the first {} frames, charts the first {}; animated frames are those in which "
+                    "something moved. The probe update is placing and lighting surfels and "
+                    "updating the probes; rebuilding the acceleration structure is part of neither "
+                    "time.",
+                    sequence.model, sequence.scene_frames.size(),
+                    sequence.repeats == 1 ? "timed once"
+                                          : fmt::format("the mean of {} runs", sequence.repeats),
+                    frames_left_out(sequence), first_charted(sequence))};
     page.sections = {averages_section(sequence, scene), frames_section(sequence, scene)};
     if (published_saving_percent(scene)) page.sections.push_back(published_section(scene));
     return page;

@@ -52,7 +52,9 @@ function pointText({ dataset, raw }) {
 function studyChart(canvas, chart) {
   const bars = chart.labels.length > 0;
   const color = themeColor("ink");
-  const x = bars ? { ticks: { color }, grid: { display: false } } : axis(chart.x_title, chart.log_x, false);
+  // Every bar has its name, where there is room for it.
+  const skipped = chart.labels.length * 16 > canvas.parentElement.clientWidth;
+  const x = bars ? { ticks: { color, autoSkip: skipped }, grid: { display: false } } : axis(chart.x_title, chart.log_x, false);
   return new Chart(canvas, {
     type: bars ? "bar" : "scatter",
     data: bars
