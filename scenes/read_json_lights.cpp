@@ -15,7 +15,7 @@ std::string read_type(const JsonView& item) {
     const auto type = item.find("type");
     const std::string name = type ? type->text() : light_types[0];
     for (const std::string& known : light_types) {
-        if (name == known) return name;
+        if (name == known) return known;
     }
     type->fail("there is no light of type " + in_quotes(name), did_you_mean(name, light_types));
 }

@@ -28,14 +28,14 @@ std::vector<std::string> option_names(const CLI::App& command) {
 /// The word that nobody asked for: an option that does not exist, before what may be its value.
 std::string unexpected(const std::vector<std::string>& words) {
     for (const std::string& word : words) {
-        if (word.rfind("--", 0) == 0) return word;
+        if (word.starts_with("--")) return word;
     }
     return words.front();
 }
 
 std::string unexpected_line(const CLI::App& command, const std::vector<std::string>& words) {
     const std::string word = unexpected(words);
-    if (word.rfind("-", 0) == 0) {
+    if (word.starts_with('-')) {
         return fmt::format("there is no option {}; {}", in_quotes(word),
                            did_you_mean(word, option_names(command)));
     }
@@ -44,10 +44,10 @@ std::string unexpected_line(const CLI::App& command, const std::vector<std::stri
 
 /// "Could not convert: --seed = x" is said in our words; the parser's other texts do as they are.
 std::string problem_of(const CLI::ParseError& error) {
-    const std::string text = error.what();
+    std::string text = error.what();
     const std::string could_not = "Could not convert: ";
     const std::size_t equals = text.find(" = ");
-    if (text.rfind(could_not, 0) == 0 && equals != std::string::npos) {
+    if (text.starts_with(could_not) && equals != std::string::npos) {
         return fmt::format("{}: {} is no number that it takes",
                            text.substr(could_not.size(), equals - could_not.size()),
                            in_quotes(text.substr(equals + 3)));
