@@ -7,6 +7,7 @@
 
 #include "ddgi/grid_cell.h"
 #include "scenes/errors.h"
+#include "scenes/scene_checks.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -18,9 +19,10 @@ constexpr float most_probes_along_an_axis = 1024.f;
 }  // namespace
 
 ProbeGrid with_spacing(const ProbeGrid& grid, float spacing) {
-    if (!(spacing > 0.f) || !std::isfinite(spacing)) {
+    if (!(spacing > 0.f && spacing <= farthest_place)) {
         throw UsageError("--spacing", fmt::format("{} is not a distance between probes", spacing),
-                         fmt::format("give a positive length; the scene has {}", grid.spacing));
+                         fmt::format("give a length above 0 and up to {:g}; the scene has {}",
+                                     farthest_place, grid.spacing));
     }
     const glm::vec3 extent = grid.spacing * glm::vec3(grid.counts - 1);
     const glm::vec3 cells = glm::ceil(extent / spacing - division_tolerance);

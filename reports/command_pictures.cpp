@@ -15,6 +15,9 @@
 #include "reports/words.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
+#include "scenes/scene_checks.h"
+#include "scenes/errors.h"
+#include "scenes/scene_checks.h"
 
 namespace plumbline {
 
@@ -56,9 +59,10 @@ void check(const Options& options) {
     if (options.shadow_rays < 1)
         throw UsageError("--shadow-rays", fmt::format("{} rays", options.shadow_rays),
                          "give 1 or more");
-    if (!(options.light_radius >= 0.f) || std::isinf(options.light_radius))
+    if (!(options.light_radius >= 0.f && options.light_radius <= farthest_place))
         throw UsageError("--light-radius", fmt::format("{}", options.light_radius),
-                         "give a length from 0 on, in the scene's unit");
+                         fmt::format("give a length from 0 to {:g}, in the scene's unit",
+                                     farthest_place));
 }
 
 /// The layers that a picture without probes shows: direct light, and ambient where there is some.

@@ -49,5 +49,7 @@ void check_materials(const Scene& scene, const PlaceOf& place_of);
 void check_meshes(const Scene& scene, const PlaceOf& place_of);
 void check_objects(const Scene& scene, const PlaceOf& place_of);
 void check_lights(const Scene& scene, const PlaceOf& place_of);
+/// Refuses what may at some frame be farther than farthest_place from the origin.
+void check_places(const Scene& scene, const PlaceOf& place_of);
 
 }  // namespace plumbline

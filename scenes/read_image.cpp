@@ -162,6 +162,22 @@ std::vector<std::pair<int, std::string>> new_channels(const OIIO::ImageSpec& spe
     return channels;
 }
 
+std::size_t values_a_row(const OIIO::ImageSpec& spec) {
+    return static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
+}
+
+/// How many rows are read together: whole tiles, and more of narrow pictures, since for each reading
+/// the library makes room for 64 MB.
+int rows_at_once(const OIIO::ImageSpec& spec) {
+    // No format packs more rows together, so that none is unpacked twice.
+    constexpr std::int64_t least_rows = 256;
+    constexpr std::size_t most_values = 1 << 22;
+    const auto rows = static_cast<std::int64_t>(most_values / values_a_row(spec));
+    const std::int64_t tile = std::max(1, spec.tile_height);
+    const std::int64_t whole_tiles = (std::max(rows, least_rows) + tile - 1) / tile * tile;
+    return static_cast<int>(std::min<std::int64_t>(whole_tiles, spec.height));
+}
+
 /// Reads one part of the file into the channels that `image` lacks, some rows at a time: the
 /// picture is held once, not twice.
 void read_part(OIIO::ImageInput& file, int part, Image& image) {
@@ -175,15 +191,11 @@ void read_part(OIIO::ImageInput& file, int part, Image& image) {
     }
     const bool encoded = holds_display_values(file, spec);
     const auto channels = new_channels(spec, part, image);
-    // No format packs more rows together, so that none is unpacked twice.
-    constexpr int rows_at_once = 256;
-    const int tile = std::max(1, spec.tile_height);
-    const int step = (rows_at_once + tile - 1) / tile * tile;
+    const int step = rows_at_once(spec);
     Rows rows{0, 0, {}};
     for (; rows.first < spec.height; rows.first += step) {
         rows.count = std::min(step, spec.height - rows.first);
-        rows.values.resize(std::size_t(rows.count) * std::size_t(spec.width) *
-                           std::size_t(spec.nchannels));
+        rows.values.resize(static_cast<std::size_t>(rows.count) * values_a_row(spec));
         read_rows(file, part, spec, image.source, rows);
         for (const auto& [c, name] : channels) {
             place_channel(spec, rows, c, encoded && c != spec.alpha_channel, image,

@@ -137,6 +137,7 @@ void check_scene(const Scene& scene, const PlaceOf& place_of) {
     check_camera(scene.camera, place_of);
     check_frames(scene, place_of);
     if (scene.probes) check_probes(*scene.probes, place_of);
+    check_places(scene, place_of);
     if (scene.thesis) check_thesis(*scene.thesis, place_of);
 }
 

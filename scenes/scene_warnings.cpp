@@ -13,10 +13,6 @@
 namespace plumbline {
 namespace {
 
-bool finite(const glm::vec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 std::string many(std::size_t count, const char* one, const char* several) {
     return fmt::format("{} {}", count, count == 1 ? one : several);
 }
@@ -24,8 +20,6 @@ std::string many(std::size_t count, const char* one, const char* several) {
 void warn_of_triangles(const World& world, std::vector<std::string>& warnings) {
     for (const WorldMesh& mesh : world.meshes) {
         std::size_t without_area = 0;
-        std::size_t not_finite = 0;
-        for (const glm::vec3& p : mesh.positions) not_finite += finite(p) ? 0 : 1;
         for (const glm::uvec3& t : mesh.triangles) {
             // In double, where the products of floats neither round nor underflow.
             const glm::dvec3 a(mesh.positions[t.x]);
@@ -37,11 +31,6 @@ void warn_of_triangles(const World& world, std::vector<std::string>& warnings) {
         if (without_area > 0) {
             warnings.push_back(fmt::format("{} has {} without area: nothing can hit them", who,
                                            many(without_area, "triangle", "triangles")));
-        }
-        if (not_finite > 0) {
-            warnings.push_back(
-                fmt::format("{} has {} beyond the range of a float: scale the scene down", who,
-                            many(not_finite, "vertex", "vertices")));
         }
     }
 }
