@@ -166,8 +166,8 @@ std::size_t values_a_row(const OIIO::ImageSpec& spec) {
     return static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
 }
 
-/// How many rows are read together: whole tiles, and more of narrow pictures, since for each reading
-/// the library makes room for 64 MB.
+/// How many rows are read together: whole tiles, and more of narrow pictures, since for each
+/// reading the library makes room for 64 MB.
 int rows_at_once(const OIIO::ImageSpec& spec) {
     // No format packs more rows together, so that none is unpacked twice.
     constexpr std::int64_t least_rows = 256;

@@ -15,9 +15,9 @@ constexpr int max_pixels = 1 << 28;
 constexpr int max_frames = 10'000'000;
 constexpr int max_probes = 100'000'000;
 
-/// How far from the origin a scene may reach, in its unit of length. Embree stops the program at rays
-/// that start, or go on for, more than 1.8e18, and leaves out triangles there; squares of distances
-/// and their products stay finite too.
+/// How far from the origin a scene may reach, in its unit of length. Embree stops the program at
+/// rays that start, or go on for, more than 1.8e18, and leaves out triangles there; squares of
+/// distances and their products stay finite too.
 constexpr float farthest_place = 1e17f;
 
 /// Tells where a part of a scene stands in its file, for messages: `list` is "objects",
