@@ -54,7 +54,7 @@ void EmbreeScene::add(const WorldMesh& mesh) {
     throw_on_error(device_);
     std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
-    attach(geometry, {&mesh, nullptr, is_plain(mesh)});
+    attach(geometry, {.mesh = &mesh, .plain = is_plain(mesh), .sides = sides_of(mesh)});
 }
 
 void EmbreeScene::add(const WorldSphere& sphere) {
@@ -63,7 +63,10 @@ void EmbreeScene::add(const WorldSphere& sphere) {
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), 1));
     throw_on_error(device_);
     *center_radius = glm::vec4(sphere.center, sphere.radius);
-    attach(geometry, {nullptr, &sphere});
+    const Material& material = world_.materials[static_cast<std::size_t>(sphere.material)];
+    attach(geometry, {.sphere = &sphere,
+                      .sides = material.two_sided ? Sides::Two : Sides::One,
+                      .inward = sphere.inward});
 }
 
 bool EmbreeScene::is_plain(const WorldMesh& mesh) const {
@@ -72,14 +75,16 @@ bool EmbreeScene::is_plain(const WorldMesh& mesh) const {
            });
 }
 
-bool EmbreeScene::is_culled(const glm::vec3& direction, const Found& found) const {
-    const Geometry& geometry = geometries_[found.geometry];
-    const bool inward = geometry.sphere != nullptr && geometry.sphere->inward;
-    const bool back = (glm::dot(found.ng, direction) > 0.f) != inward;
-    if (!back) return false;
-    const int material = geometry.sphere != nullptr
-                             ? geometry.sphere->material
-                             : geometry.mesh->triangle_materials[found.primitive];
+EmbreeScene::Sides EmbreeScene::sides_of(const WorldMesh& mesh) const {
+    const auto two_sided = std::ranges::count_if(mesh.triangle_materials, [&](int material) {
+        return world_.materials[static_cast<std::size_t>(material)].two_sided;
+    });
+    if (two_sided == 0) return Sides::One;
+    return two_sided == std::ssize(mesh.triangle_materials) ? Sides::Two : Sides::Mixed;
+}
+
+bool EmbreeScene::is_one_sided(const Geometry& geometry, unsigned primitive) const {
+    const int material = geometry.mesh->triangle_materials[primitive];
     return !world_.materials[static_cast<std::size_t>(material)].two_sided;
 }
 

@@ -67,20 +67,31 @@ class EmbreeScene {
     void hits(const RayLanes& rays, FoundLanes& found, HitLanes& hits) const;
 
     /// True for the back of a one-sided material.
-    bool is_culled(const glm::vec3& direction, const Found& found) const;
+    bool is_culled(const glm::vec3& direction, const Found& found) const {
+        const Geometry& geometry = geometries_[found.geometry];
+        const bool back = (glm::dot(found.ng, direction) > 0.f) != geometry.inward;
+        return back && (geometry.sides == Sides::One || (geometry.sides == Sides::Mixed &&
+                                                         is_one_sided(geometry, found.primitive)));
+    }
 
  private:
+    /// Of the materials of a geometry.
+    enum class Sides { One, Two, Mixed };
     /// Per Embree geometry: a mesh or a sphere.
     struct Geometry {
         const WorldMesh* mesh = nullptr;
         const WorldSphere* sphere = nullptr;
         bool plain = false;  ///< triangles whose albedo is their material's
+        Sides sides = Sides::One;
+        bool inward = false;  ///< a sphere whose front is inside
     };
 
     void attach(RTCGeometry geometry, const Geometry& entry);
     void add(const WorldMesh& mesh);
     void add(const WorldSphere& sphere);
     bool is_plain(const WorldMesh& mesh) const;
+    Sides sides_of(const WorldMesh& mesh) const;
+    bool is_one_sided(const Geometry& geometry, unsigned primitive) const;
     struct CornerLanes;
     void fetch_triangle(const FoundLanes& found, std::size_t i, CornerLanes& corners,
                         HitLanes& hits) const;

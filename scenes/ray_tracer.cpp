@@ -121,7 +121,10 @@ void RayTracer::intersect(const RayLanes& rays, BackFaces back_faces, Coherence 
                           HitLanes& hits) const {
     NearestContext context = nearest_context(*embree_, back_faces, coherence);
     EmbreeScene::FoundLanes found;
-    with_width(packet_width_, [&]<typename P>() {
+    // Where rays part, Embree follows those of a packet one by one, but asks the filter about the
+    // whole packet each time.
+    const bool one_by_one = back_faces == BackFaces::Cull && coherence == Coherence::Incoherent;
+    with_width(one_by_one ? 1 : packet_width_, [&]<typename P>() {
         P packet;
         for (std::size_t first = 0; first < rays.count; first += P::width) {
             packet.load(rays, first);
