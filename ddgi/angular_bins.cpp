@@ -31,7 +31,7 @@ void OctantStorage::take_surfels(const SurfelCache& cache) {
     const Surfels& surfels = cache.surfels();
     cosines_.resize(surfels.size());
     tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
-        if (surfels.hit(i) && cache.replaced(i)) cosines_[i] = octant_cosines(surfels.n[i]);
+        if (surfels.hit(i) && cache.replaced(i)) cosines_[i] = octant_cosines(surfels.place[i].n);
     });
 }
 

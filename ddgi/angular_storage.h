@@ -34,7 +34,7 @@ class AngularStorage {
     /// The same at a surfel of those taken in.
     virtual Spectrum surfel_irradiance(const ProbeNeighbours& around, std::span<const float> values,
                                        const Surfels& surfels, std::size_t surfel) const {
-        return irradiance(around, values, surfels.n[surfel]);
+        return irradiance(around, values, surfels.place[surfel].n);
     }
 };
 

@@ -29,14 +29,14 @@ void ConservingModel::take_surfels(const SurfelCache& cache) {
     const Surfels& surfels = cache.surfels();
     around_.resize(surfels.size());
     tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
-        const glm::vec3& x = surfels.position[i];
+        const glm::vec3& x = surfels.place[i].position;
         if (!surfels.own_light(i)) return;
         if (!afresh && !cache.changed(i) && !weigher_.changed_at(x)) return;
         const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[i];
-        around_[i] = weigher_.weighted(x, surfels.n[i], seen);
+        around_[i] = weigher_.weighted(x, surfels.place[i].n, seen);
     });
     emitted_.clear();
-    if (!unfed_.any_emits()) return;
+    if (surfels.emission.empty()) return;
     emitted_.resize(probe_count(grid_) * 3 * storage_->bins());
     store(emitted_, [&](std::size_t i) { return surfels.emission[i]; });
 }
@@ -48,9 +48,9 @@ void ConservingModel::update(std::span<const float> previous, std::span<float> n
     };
     const std::vector<Spectrum> shared = at_sources(surfels, irradiance_of);
     store(next, [&](std::size_t i) {
-        if (!surfels.hit(i) || surfels.albedo[i] == Spectrum(0.f)) return unfed_[i];
+        if (!surfels.hit(i) || surfels.light[i].albedo == Spectrum(0.f)) return unfed_[i];
         const Spectrum E = shared.empty() ? irradiance_of(i) : shared[surfels.source[i]];
-        return unfed_[i] + surfels.albedo[i] / glm::pi<float>() * E;
+        return unfed_[i] + surfels.light[i].albedo / glm::pi<float>() * E;
     });
 }
 

@@ -15,7 +15,8 @@ namespace {
 
 static_assert(map_nodes <= 64, "a word has a bit for each node");
 
-constexpr std::array<std::uint32_t, 4> node_offsets = {0, 1, map_side, map_side + 1};
+/// Of the four nodes around a normal, from the first on.
+constexpr std::array<std::size_t, 4> node_offsets = {0, 1, map_side, map_side + 1};
 constexpr unsigned bits_a_corner = 3;
 constexpr unsigned bits_of_count = 4;
 constexpr std::uint32_t corner_mask = (1u << bits_a_corner) - 1u;
@@ -31,19 +32,18 @@ FeedbackMaps::FeedbackMaps(const ProbeGrid& grid)
     // thick.
     const ProbeNeighbours around = probe_neighbours(grid, grid.origin);
     for (std::size_t k = 0; k < around.probe.size(); ++k) {
-        corner_offsets_[k] = (around.probe[k] - around.probe[0]) * std::uint32_t{map_nodes};
+        corner_offsets_[k] = around.probe[k] - around.probe[0];
     }
 }
 
 MapGather FeedbackMaps::gather(const ProbeNeighbours& around, const glm::vec3& n) {
     const MapPoint point = map_point(n);
-    MapGather gather{.first = around.probe[0] * std::uint32_t{map_nodes} + point.node[0],
-                     .at = point.weight};
+    MapGather gather{.first = index(point.node[0], around.probe[0]), .at = point.weight};
     std::uint64_t nodes = 0;
     for (const std::uint8_t node : point.node) nodes |= bit_of(node);
     for (std::size_t i = 0; i < point.node.size(); ++i) {
         if (point.weight[i] != 1.f) continue;
-        gather.first += node_offsets[i];
+        gather.first = index(point.node[i], around.probe[0]);
         gather.at = {1.f, 0.f, 0.f, 0.f};
         nodes = bit_of(point.node[i]);
     }
@@ -69,7 +69,7 @@ void FeedbackMaps::make(const RayEnds& ends, std::span<const float> values,
             const auto node = static_cast<std::size_t>(std::countr_zero(left));
             const RaySums sums =
                 ends.along_rays(probe, map_directions()[node], &values[probe * 3 * rays]);
-            nodes_[probe * map_nodes + node] = glm::vec4(irradiance(sums), 0.f);
+            nodes_[index(node, probe)] = glm::vec4(irradiance(sums), 0.f);
         }
     });
 }
@@ -87,7 +87,8 @@ void FeedbackMaps::gather(std::span<const MapGather> gathers, std::span<Spectrum
                 sum += gather.weight[j] * load_float4(map[0]);
             } else {
                 for (std::size_t k = 0; k < node_offsets.size(); ++k) {
-                    sum += gather.weight[j] * gather.at[k] * load_float4(map[node_offsets[k]]);
+                    sum += gather.weight[j] * gather.at[k] *
+                           load_float4(map[node_offsets[k] * asked_.size()]);
                 }
             }
         }

@@ -42,7 +42,13 @@ class FeedbackMaps {
     void gather(std::span<const MapGather> gathers, std::span<Spectrum> E) const;
 
  private:
-    /// How many nodes further the same node of each of the eight probes around a point is.
+    /// Node by node, as surfaces face few ways, and on each lie probes next to each other: what
+    /// surfels gather from then fits into the second-level cache.
+    std::uint32_t index(std::size_t node, std::size_t probe) const {
+        return static_cast<std::uint32_t>(node * asked_.size() + probe);
+    }
+
+    /// How much further than the lowest of the eight probes around a point each is.
     std::array<std::uint32_t, 8> corner_offsets_;
     std::vector<std::uint64_t> asked_;  ///< one a probe: bit i if node i was asked for
     /// Irradiances at the nodes of all probes; what make() writes, kept as new memory is slow.

@@ -75,14 +75,14 @@ void IrradianceModel::take_surfels(const SurfelCache& cache) {
     if (!remembers()) {
         tbb::parallel_for(std::size_t{0}, surfels.size(), [&](std::size_t i) {
             if (!surfels.own_light(i)) return;
-            const auto near = probe_neighbours(grid_, surfels.position[i]).probe;
+            const auto near = probe_neighbours(grid_, surfels.place[i].position).probe;
             if (afresh || cache.changed(i) ||
                 std::ranges::any_of(near, [&](auto probe) { return distances_.changed(probe); }))
                 weigh(i);
         });
     }
     emitted_.clear();
-    if (!unfed_.any_emits()) return;
+    if (surfels.emission.empty()) return;
     emitted_.resize(probe_count(grid_) * 3 * texels_.size());
     tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)}, [&](std::size_t probe) {
         gather(
@@ -103,8 +103,8 @@ void IrradianceModel::begin_update() {
 
 void IrradianceModel::weigh(std::size_t surfel) {
     const Surfels& surfels = cache_->surfels();
-    around_[surfel] =
-        weighted(surfels.position[surfel], surfels.n[surfel], -surfels.direction[surfel]);
+    around_[surfel] = weighted(surfels.place[surfel].position, surfels.place[surfel].n,
+                               -surfels.direction[surfel]);
 }
 
 float IrradianceModel::weight_of(std::size_t probe, const glm::vec3& x, const glm::vec3& n,
@@ -175,7 +175,7 @@ Spectrum IrradianceModel::surfel_radiance(std::size_t surfel,
                                           const Irradiance& irradiance_of) const {
     const Surfels& surfels = cache_->surfels();
     if (settings_.blackBacks != 0. && distances_.back(surfel)) return Spectrum(0.f);
-    const Spectrum& albedo = surfels.albedo[surfel];
+    const Spectrum& albedo = surfels.light[surfel].albedo;
     if (!surfels.hit(surfel) || albedo == Spectrum(0.f)) return unfed_[surfel];
     const auto taken_in = static_cast<float>(settings_.energyPreservation);
     return unfed_[surfel] + taken_in * albedo / glm::pi<float>() * irradiance_of(surfel);
@@ -198,7 +198,7 @@ void IrradianceModel::update(std::span<const float> previous, std::span<float> n
     const Maps maps = maps_of(previous);
     const Surfels& surfels = cache_->surfels();
     const auto at_surfel = [&](std::size_t i) {
-        return irradiance(around_[i], surfels.n[i], [&](std::size_t probe, std::size_t t) {
+        return irradiance(around_[i], surfels.place[i].n, [&](std::size_t probe, std::size_t t) {
             return maps[probe * texels_.size() + t];
         });
     };

@@ -53,12 +53,13 @@ bool is_on_mover(const Surfels& surfels, const Motion& motion, std::size_t surfe
 bool is_at(const Surfels& surfels, const World& world, std::size_t surfel,
            const std::optional<Hit>& hit) {
     if (!hit || !surfels.hit(surfel)) return !hit && !surfels.hit(surfel);
-    return surfels.distance[surfel] == hit->t && surfels.object[surfel] == hit->object &&
-           surfels.n[surfel] == hit->n() &&
-           surfels.position[surfel] == offset_origin(*hit, hit->n()) &&
-           surfels.albedo[surfel] == hit->albedo &&
-           surfels.emission[surfel] ==
-               world.materials[static_cast<std::size_t>(hit->material)].emission;
+    const SurfelPlace& place = surfels.place[surfel];
+    return place.distance == hit->t && surfels.object[surfel] == hit->object &&
+           place.n == hit->n() && place.position == offset_origin(*hit, hit->n()) &&
+           surfels.light[surfel].albedo == hit->albedo &&
+           (surfels.emission.empty() ||
+            surfels.emission[surfel] ==
+                world.materials[static_cast<std::size_t>(hit->material)].emission);
 }
 
 MotionMarker::MotionMarker(const ProbeGrid& grid, Reach reach, const Surfels& surfels, bool sees)
@@ -83,8 +84,8 @@ void MotionMarker::note_end(const Surfels& surfels, std::size_t probe, std::size
     const std::size_t surfel = probe * static_cast<std::size_t>(surfels.per_probe) + ray;
     rays_.set_end(probe, ray,
                   std::min(ray_length(surfels.direction[surfel]),
-                           surfels.distance[surfel] * (1.f + distance_rounding)),
-                  surfels.hit(surfel) ? &surfels.position[surfel] : nullptr);
+                           surfels.place[surfel].distance * (1.f + distance_rounding)),
+                  surfels.hit(surfel) ? &surfels.place[surfel].position : nullptr);
     if (!cell_.empty()) cell_[surfel] = cell_of(surfels, surfel);
 }
 
@@ -104,7 +105,7 @@ bool MotionMarker::touched(const Surfels& surfels, const RayTracer& movers, cons
     const glm::vec3& direction = surfels.direction[surfel];
     // What moved to right where the ray ended may be met first or second: both must be asked.
     const float t_max =
-        std::min(ray_length(direction), surfels.distance[surfel] * (1.f + distance_rounding));
+        std::min(ray_length(direction), surfels.place[surfel].distance * (1.f + distance_rounding));
     const std::optional<Hit> hit = movers.intersect({origin, direction, t_max}, BackFaces::Cull);
     if (!on_mover) return hit.has_value();
     // An object that slides in the plane that was hit, such as a rising door, leaves its surfels as
@@ -158,7 +159,7 @@ void MotionMarker::confirm_places(const Surfels& surfels, const World& world, co
 /// probe's.
 std::uint32_t MotionMarker::cell_of(const Surfels& surfels, std::size_t surfel) const {
     if (!surfels.hit(surfel)) return no_cell();
-    const glm::vec3& x = surfels.position[surfel];
+    const glm::vec3& x = surfels.place[surfel].position;
     const glm::vec3 last = grid_.origin + grid_.spacing * glm::vec3(grid_.counts - 1);
     return Bounds{grid_.origin, last}.contains(x) ? cell_probe(grid_, x) : outer_cell();
 }
@@ -167,11 +168,20 @@ std::uint32_t MotionMarker::cell_of(const Surfels& surfels, std::size_t surfel) 
 /// outer cell is not asked for.
 std::vector<std::uint8_t> MotionMarker::moved_cells(const Motion& motion) const {
     std::vector<std::uint8_t> marks(outer_cell() + 1);
-    for_probes(probe_count(grid_), [&](std::size_t probe) {
-        const glm::vec3 middle =
-            probe_position(grid_, static_cast<std::uint32_t>(probe)) + grid_.spacing / 2.f;
-        if (moved_in(motion, bounds_to_probes(grid_, middle))) marks[probe] = Mark::Seen;
-    });
+    for (const Bounds& box : motion.boxes) {
+        const Bounds near = box.grown(2.f * in_surface * grid_.spacing);
+        const glm::ivec3 first = cell_around(grid_, place_in(grid_, near.lower));
+        const glm::ivec3 last = cell_around(grid_, place_in(grid_, near.upper));
+        for (int y = first.y; y <= last.y; ++y) {
+            for (int x = first.x; x <= last.x; ++x) {
+                for (int z = first.z; z <= last.z; ++z) {
+                    const std::uint32_t cell = probe_index(grid_, {x, y, z});
+                    const glm::vec3 middle = probe_position(grid_, cell) + grid_.spacing / 2.f;
+                    if (moved_in(motion, bounds_to_probes(grid_, middle))) marks[cell] = Mark::Seen;
+                }
+            }
+        }
+    }
     return marks;
 }
 
@@ -192,7 +202,7 @@ void MotionMarker::mark_near(const Surfels& surfels, const Motion& motion,
         }
         for (std::size_t ray = 0; (all & ask) != 0 && ray < of_rays.size(); ++ray) {
             if (cells[ray] != outer_cell()) continue;
-            const glm::vec3& x = surfels.position[probe * of_rays.size() + ray];
+            const glm::vec3& x = surfels.place[probe * of_rays.size() + ray].position;
             if (moved_in(motion, bounds_to_probes(grid_, x))) of_rays[ray] |= Mark::Seen;
         }
         if (all != 0) marks.join(probe);

@@ -10,6 +10,8 @@
 namespace plumbline::ddgi {
 namespace {
 
+static_assert(rays_in_block == float8_lanes);
+
 /// Of the size of a solid box: a light this far from it is not in it, whatever the rounding.
 constexpr float solid_clearance = 1e-3f;
 
@@ -128,18 +130,13 @@ std::vector<LampWay> lamp_ways(const World& world, const Motion& motion) {
 }
 
 void ProbeRays::set_direction(std::size_t probe, std::size_t ray, const glm::vec3& direction) {
-    at(probe, Dx)[ray] = direction.x;
-    at(probe, Dy)[ray] = direction.y;
-    at(probe, Dz)[ray] = direction.z;
+    values_.put(probe, Dx, ray, direction);
 }
 
 void ProbeRays::set_end(std::size_t probe, std::size_t ray, float length, const glm::vec3* surfel) {
-    at(probe, Length)[ray] = length;
-    at(probe, HasSurfel)[ray] = surfel != nullptr ? 1.f : 0.f;
-    if (surfel == nullptr) return;
-    at(probe, X)[ray] = surfel->x;
-    at(probe, Y)[ray] = surfel->y;
-    at(probe, Z)[ray] = surfel->z;
+    values_.at(probe, Length, ray) = length;
+    values_.at(probe, HasSurfel, ray) = surfel != nullptr ? 1.f : 0.f;
+    if (surfel != nullptr) values_.put(probe, X, ray, *surfel);
 }
 
 PLUMBLINE_WIDE void ProbeRays::mark_rays(std::size_t probe, const glm::vec3& origin,
@@ -147,11 +144,11 @@ PLUMBLINE_WIDE void ProbeRays::mark_rays(std::size_t probe, const glm::vec3& ori
                                          std::span<std::uint8_t> marks) const {
     const OrientedBox box = mover;  // its own: the marks, being bytes, could be part of `mover`
     const Vector8 start = same_vector8(box.to_box(origin));
-    for (std::size_t i = 0; i < rays_; i += float8_lanes) {
-        const Vector8 direction =
-            load_vector8(at(probe, Dx) + i, at(probe, Dy) + i, at(probe, Dz) + i);
-        const Mask8 met =
-            meeting(start, to_box(box, direction), load_float8(at(probe, Length) + i), box.bounds);
+    for (std::size_t i = 0; i < values_.rays(); i += float8_lanes) {
+        const Vector8 direction = load_vector8(
+            values_.block(probe, Dx, i), values_.block(probe, Dy, i), values_.block(probe, Dz, i));
+        const Mask8 met = meeting(start, to_box(box, direction),
+                                  load_float8(values_.block(probe, Length, i)), box.bounds);
         if (any(met)) set(met, mark, &marks[i]);
     }
 }
@@ -162,11 +159,13 @@ PLUMBLINE_WIDE void ProbeRays::mark_shadows(std::size_t probe, const LampWay& li
     // Box by box, so that what is known of one stays in registers.
     constexpr std::size_t groups_at_once = 8;
     std::array<Mask8, groups_at_once> met;
-    for (std::size_t first = 0; first < rays_; first += groups_at_once * float8_lanes) {
-        const std::size_t groups = std::min(groups_at_once, (rays_ - first) / float8_lanes);
+    for (std::size_t first = 0; first < values_.rays(); first += groups_at_once * float8_lanes) {
+        const std::size_t groups =
+            std::min(groups_at_once, (values_.rays() - first) / float8_lanes);
         const auto surfels = [&](std::size_t group) {
             const std::size_t i = first + group * float8_lanes;
-            return load_vector8(at(probe, X) + i, at(probe, Y) + i, at(probe, Z) + i);
+            return load_vector8(values_.block(probe, X, i), values_.block(probe, Y, i),
+                                values_.block(probe, Z, i));
         };
         met.fill(Mask8{});
         // Ways to a ball stay within its radius of the way to its centre.
@@ -176,7 +175,7 @@ PLUMBLINE_WIDE void ProbeRays::mark_shadows(std::size_t probe, const LampWay& li
         }
         for (std::size_t g = 0; g < groups; ++g) {
             const std::size_t i = first + g * float8_lanes;
-            met[g] &= load_float8(at(probe, HasSurfel) + i) > 0.f;
+            met[g] &= load_float8(values_.block(probe, HasSurfel, i)) > 0.f;
         }
         for (const SolidMove& solid : light.solids) {
             const WaysToBox was(light, solid.was, 0.f);

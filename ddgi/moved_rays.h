@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ddgi/motion.h"
+#include "ddgi/ray_blocks.h"
 
 namespace plumbline::ddgi {
 
@@ -23,15 +24,13 @@ struct LampWay {
 /// The ways to all lights of a world that something moved in.
 std::vector<LampWay> lamp_ways(const World& world, const Motion& motion);
 
-/// The rays of all probes, laid out so that a probe's rays lie side by side in vector registers, to
-/// be held against boxes that moved.
+/// The rays of all probes, to be held in vector registers against boxes that moved.
 ///
 /// All answers are conservative: by the margin of the boxes, which is well above rounding.
 class ProbeRays {
  public:
-    /// `rays` a probe: a multiple of float8_lanes.
-    ProbeRays(std::size_t probes, std::size_t rays)
-        : rays_(rays), values_(probes * value_count * rays) {}
+    /// `rays` a probe: a multiple of rays_in_block.
+    ProbeRays(std::size_t probes, std::size_t rays) : values_(probes, rays) {}
 
     /// The unit direction of ray `ray` of `probe`.
     void set_direction(std::size_t probe, std::size_t ray, const glm::vec3& direction);
@@ -49,15 +48,7 @@ class ProbeRays {
 
  private:
     enum Value : std::size_t { Dx, Dy, Dz, X, Y, Z, Length, HasSurfel, value_count };
-    float* at(std::size_t probe, Value value) {
-        return &values_[(probe * value_count + value) * rays_];
-    }
-    const float* at(std::size_t probe, Value value) const {
-        return &values_[(probe * value_count + value) * rays_];
-    }
-
-    std::size_t rays_;
-    std::vector<float> values_;
+    RayBlocks<value_count> values_;
 };
 
 }  // namespace plumbline::ddgi

@@ -11,6 +11,8 @@
 namespace plumbline::ddgi {
 namespace {
 
+static_assert(rays_in_block == float8_lanes);
+
 /// In cells: from here all rays of a probe look parallel from anywhere in the cells around it.
 constexpr float far_in_cells = 1e4f;
 /// The cosine of the flattest ray whose patch is not cut short.
@@ -34,64 +36,53 @@ inline RaySums sum_rays(std::size_t rays, const float* radiance, const Weight& w
 
 }  // namespace
 
-RayEnds::RayEnds(std::size_t probes, std::size_t rays, float spacing)
-    : rays_(rays), far_(far_in_cells * spacing), values_(probes * value_count * rays) {}
+RayEnds::RayEnds(const Surfels& surfels, float spacing)
+    : far_(far_in_cells * spacing),
+      values_(surfels.probes(), static_cast<std::size_t>(surfels.per_probe)) {
+    for (std::size_t i = 0; i < surfels.size(); ++i) {
+        values_.put(i / values_.rays(), Dx, i % values_.rays(), surfels.direction[i]);
+    }
+}
 
 void RayEnds::set(std::size_t probe, std::size_t ray, const glm::vec3& position,
                   const Surfels& surfels) {
-    float* values = &values_[probe * value_count * rays_];
-    const auto put = [&](Value first, const glm::vec3& v) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            values[(first + axis) * rays_ + ray] = v[static_cast<int>(axis)];
-        }
-    };
-    const std::size_t surfel = probe * rays_ + ray;
+    const std::size_t surfel = probe * values_.rays() + ray;
     const bool hit = surfels.hit(surfel);
     const glm::vec3& direction = surfels.direction[surfel];
-    const float distance = hit ? surfels.distance[surfel] : far_;
-    const glm::vec3 n = hit ? surfels.n[surfel] : -direction;
-    put(Dx, direction);
-    put(X, position + distance * direction);
-    put(Nx, n);
-    values[PatchArea * rays_ + ray] =
+    const float distance = hit ? surfels.place[surfel].distance : far_;
+    const glm::vec3 n = hit ? surfels.place[surfel].n : -direction;
+    values_.put(probe, X, ray, position + distance * direction);
+    values_.put(probe, Nx, ray, n);
+    values_.at(probe, PatchArea, ray) =
         distance * distance / std::max(-glm::dot(n, direction), flattest);
 }
 
 PLUMBLINE_WIDE [[gnu::flatten]] RaySums RayEnds::along_rays(std::size_t probe, const glm::vec3& n,
                                                             const float* radiance) const {
-    const float* dx = at(probe, Dx);
-    const float* dy = at(probe, Dy);
-    const float* dz = at(probe, Dz);
-    return sum_rays(rays_, radiance, [&](std::size_t i) {
-        return larger(Float8{}, n.x * load_float8(dx + i) + n.y * load_float8(dy + i) +
-                                    n.z * load_float8(dz + i));
+    const float* ends = values_.block(probe, 0, 0);
+    return sum_rays(values_.rays(), radiance, [&](std::size_t i) {
+        const auto value = [&](Value v) { return load_float8(ends + values_.further(i, v)); };
+        return larger(Float8{}, n.x * value(Dx) + n.y * value(Dy) + n.z * value(Dz));
     });
 }
 
 PLUMBLINE_WIDE [[gnu::flatten]] RaySums RayEnds::from_point(std::size_t probe, const glm::vec3& x,
                                                             const glm::vec3& n,
                                                             const float* radiance) const {
-    const float* ex = at(probe, X);
-    const float* ey = at(probe, Y);
-    const float* ez = at(probe, Z);
-    const float* nx = at(probe, Nx);
-    const float* ny = at(probe, Ny);
-    const float* nz = at(probe, Nz);
-    const float* area = at(probe, PatchArea);
-    return sum_rays(rays_, radiance, [&](std::size_t i) {
-        const Float8 ux = load_float8(ex + i) - x.x;
-        const Float8 uy = load_float8(ey + i) - x.y;
-        const Float8 uz = load_float8(ez + i) - x.z;
+    const float* ends = values_.block(probe, 0, 0);
+    return sum_rays(values_.rays(), radiance, [&](std::size_t i) {
+        const auto value = [&](Value v) { return load_float8(ends + values_.further(i, v)); };
+        const Float8 ux = value(X) - x.x;
+        const Float8 uy = value(Y) - x.y;
+        const Float8 uz = value(Z) - x.z;
         // Not zero where x is the ray's end: the cosine, 0 / tiny, is then 0 and not NaN.
         const Float8 d2 =
             larger(same_float8(std::numeric_limits<float>::min()), ux * ux + uy * uy + uz * uz);
         const Float8 distance = square_root(d2);
         const Float8 cosine = larger(Float8{}, n.x * ux + n.y * uy + n.z * uz) / distance;
         const Float8 patch_cosine =
-            larger(Float8{}, -(load_float8(nx + i) * ux + load_float8(ny + i) * uy +
-                               load_float8(nz + i) * uz)) /
-            distance;
-        const Float8 ratio = load_float8(area + i) * patch_cosine / d2;
+            larger(Float8{}, -(value(Nx) * ux + value(Ny) * uy + value(Nz) * uz)) / distance;
+        const Float8 ratio = value(PatchArea) * patch_cosine / d2;
         return cosine * smaller(same_float8(most_magnified),
                                 larger(same_float8(1.f / most_magnified), ratio));
     });

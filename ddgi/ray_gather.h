@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "ddgi/ray_blocks.h"
 #include "ddgi/surfels.h"
 
 namespace plumbline::ddgi {
@@ -14,14 +15,14 @@ struct RaySums {
     float weight = 0.f;
 };
 
-/// Where the rays of all probes ended, laid out so that a probe's rays lie side by side in vector
-/// registers: value v of ray r of probe p is at (p * values + v) * rays + r.
+/// Where the rays of all probes ended, to be summed over in vector registers.
 ///
 /// A ray that met nothing ends on a far sphere around its probe.
 class RayEnds {
  public:
-    /// `spacing` is the grid's: what is far is measured by it.
-    RayEnds(std::size_t probes, std::size_t rays, float spacing);
+    /// Of the rays of `surfels`, none of which has ended yet. `spacing` is the grid's: what is far
+    /// is measured by it.
+    RayEnds(const Surfels& surfels, float spacing);
 
     /// Takes in the surfel of ray `ray` of `probe`, which stands at `position`.
     void set(std::size_t probe, std::size_t ray, const glm::vec3& position, const Surfels& surfels);
@@ -44,13 +45,8 @@ class RayEnds {
 
  private:
     enum Value : std::size_t { Dx, Dy, Dz, X, Y, Z, Nx, Ny, Nz, PatchArea, value_count };
-    const float* at(std::size_t probe, Value value) const {
-        return &values_[(probe * value_count + value) * rays_];
-    }
-
-    std::size_t rays_;
     float far_;
-    std::vector<float> values_;
+    RayBlocks<value_count> values_;
 };
 
 }  // namespace plumbline::ddgi

@@ -24,15 +24,12 @@ void put(std::span<float> values, std::size_t probe, std::size_t ray, std::size_
 void RaysModel::start(const SurfelCache& cache) {
     cache_ = &cache;
     const std::size_t count = cache.surfels().size();
-    ends_.emplace(probe_count(grid_), rays(), grid_.spacing);
+    ends_.emplace(cache.surfels(), grid_.spacing);
     if (options_.feedback == Feedback::Maps) {
         maps_.emplace(grid_);
         gathers_.resize(count);
     }
-    unfed_.resize(count);
-    reflectance_.resize(count);
-    emitted_.assign(count * 3, 0.f);
-    emitters_.assign(probe_count(grid_), 0);
+    emitted_.assign(cache.surfels().emission.size() * 3, 0.f);
 }
 
 void RaysModel::take_surfels(const SurfelCache& cache) {
@@ -40,7 +37,6 @@ void RaysModel::take_surfels(const SurfelCache& cache) {
     if (afresh) start(cache);
     tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)},
                       [&](std::size_t probe) { take_probe(probe, afresh); });
-    any_emits_ = std::ranges::any_of(emitters_, [](std::uint8_t emits) { return emits != 0; });
 }
 
 void RaysModel::take_probe(std::size_t probe, bool afresh) {
@@ -48,48 +44,30 @@ void RaysModel::take_probe(std::size_t probe, bool afresh) {
     const Surfels& surfels = cache_->surfels();
     const bool others_changed = weigher_.may_change();
     if (!afresh && !others_changed && !cache_->probe_changed(probe)) return;
-    bool emits = emitters_[probe] != 0;
     for (std::size_t ray = 0; ray < rays(); ++ray) {
         const std::size_t i = probe * rays() + ray;
-        const bool weighs_others = afresh || cache_->sees_others(i) ||
-                                   (others_changed && weigher_.changed_at(surfels.position[i]));
-        if (weighs_others || cache_->changed(i)) take_surfel(i, weighs_others);
+        const bool weighs_others =
+            afresh || cache_->sees_others(i) ||
+            (others_changed && weigher_.changed_at(surfels.place[i].position));
+        if (maps_ && weighs_others) gathers_[i] = gather_of(i);
         if (!afresh && !cache_->replaced(i)) continue;
         ends_->set(probe, ray, position, surfels);
-        if (surfels.emission[i] != Spectrum(0.f)) emits = true;
+        if (!emitted_.empty()) put(emitted_, probe, ray, rays(), surfels.emission[i]);
     }
-    // A probe that nothing is emitted to keeps its zeros.
-    if (emits) take_emission(probe);
-}
-
-void RaysModel::take_emission(std::size_t probe) {
-    const std::span<const Spectrum> emission(&cache_->surfels().emission[probe * rays()], rays());
-    const bool emits =
-        std::ranges::any_of(emission, [](const Spectrum& Le) { return Le != Spectrum(0.f); });
-    for (std::size_t ray = 0; ray < rays(); ++ray) {
-        put(emitted_, probe, ray, rays(), emission[ray]);
-    }
-    emitters_[probe] = emits ? 1 : 0;
 }
 
 ProbeNeighbours RaysModel::around(std::size_t surfel) const {
     const Surfels& surfels = cache_->surfels();
     const std::uint8_t seen = surfels.seen.empty() ? all_probes : surfels.seen[surfel];
-    return weigher_.weighted(surfels.position[surfel], surfels.n[surfel], seen);
+    return weigher_.weighted(surfels.place[surfel].position, surfels.place[surfel].n, seen);
 }
 
-void RaysModel::take_surfel(std::size_t surfel, bool weighs_others) {
+/// A black surfel takes nothing in, unless others show its light.
+MapGather RaysModel::gather_of(std::size_t surfel) {
     const Surfels& surfels = cache_->surfels();
-    const bool hit = surfels.hit(surfel);
-    const Spectrum reflectance = hit ? surfels.albedo[surfel] / glm::pi<float>() : Spectrum(0.f);
-    reflectance_[surfel] = reflectance;
-    unfed_[surfel] = surfels.emission[surfel];
-    if (hit) unfed_[surfel] += reflectance * surfels.direct[surfel];
-    if (!maps_ || !weighs_others) return;
-    // A black surfel takes nothing in, unless others show its light.
-    const bool fed =
-        surfels.source.empty() ? reflectance != Spectrum(0.f) : surfels.own_light(surfel);
-    gathers_[surfel] = fed ? maps_->gather(around(surfel), surfels.n[surfel]) : MapGather{};
+    const bool fed = surfels.source.empty() ? surfels.light[surfel].albedo != Spectrum(0.f)
+                                            : surfels.own_light(surfel);
+    return fed ? maps_->gather(around(surfel), surfels.place[surfel].n) : MapGather{};
 }
 
 Spectrum RaysModel::ray_irradiance(std::span<const float> values, const ProbeNeighbours& around,
@@ -127,18 +105,28 @@ void RaysModel::feed(std::span<const float> previous, std::size_t probe,
     }
     const Surfels& surfels = cache_->surfels();
     for (std::size_t i = first; i < first + rays(); ++i) {
-        E[i - first] = reflectance_[i] == Spectrum(0.f)
+        E[i - first] = surfels.light[i].albedo == Spectrum(0.f)
                            ? Spectrum(0.f)
-                           : ray_irradiance(previous, around(i), surfels.position[i], surfels.n[i]);
+                           : ray_irradiance(previous, around(i), surfels.place[i].position,
+                                            surfels.place[i].n);
     }
 }
 
 /// What the rays of a probe bring whose surfels take in `E`.
 void RaysModel::bring(std::size_t probe, std::span<const Spectrum> E, std::span<float> next) const {
-    const std::size_t first = probe * rays();
-    for (std::size_t ray = 0; ray < rays(); ++ray) {
-        put(next, probe, ray, rays(), unfed_[first + ray] + reflectance_[first + ray] * E[ray]);
+    const std::size_t count = rays();
+    const SurfelLight* light = &cache_->surfels().light[probe * count];
+    float* radiance = &next[value_index(probe, 0, 0, count)];
+    for (std::size_t ray = 0; ray < count; ++ray) {
+        const Spectrum scattered =
+            light[ray].albedo * glm::one_over_pi<float>() * (light[ray].direct + E[ray]);
+        radiance[ray] = scattered.r;
+        radiance[count + ray] = scattered.g;
+        radiance[2 * count + ray] = scattered.b;
     }
+    if (emitted_.empty()) return;
+    const float* emitted = &emitted_[value_index(probe, 0, 0, count)];
+    for (std::size_t i = 0; i < 3 * count; ++i) radiance[i] += emitted[i];
 }
 
 void RaysModel::update(std::span<const float> previous, std::span<float> next) const {
@@ -168,7 +156,8 @@ void RaysModel::update_shared(std::span<const float> previous, std::span<float> 
             if (maps_) {
                 maps_->gather({&gathers_[i], 1}, {&fed[i], 1});
             } else {
-                fed[i] = ray_irradiance(previous, around(i), surfels.position[i], surfels.n[i]);
+                fed[i] = ray_irradiance(previous, around(i), surfels.place[i].position,
+                                        surfels.place[i].n);
             }
         }
     });
@@ -192,7 +181,7 @@ Spectrum RaysModel::probe_light(std::span<const float> values, const ReceiverPoi
 }
 
 Spectrum RaysModel::emitted_light(const ReceiverPoint& point) const {
-    return any_emits_ ? probe_light(emitted_, point) : Spectrum(0.f);
+    return emitted_.empty() ? Spectrum(0.f) : probe_light(emitted_, point);
 }
 
 }  // namespace plumbline::ddgi

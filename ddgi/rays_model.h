@@ -40,12 +40,11 @@ class RaysModel final : public ProbeModel {
  private:
     std::size_t rays() const { return static_cast<std::size_t>(cache_->surfels().per_probe); }
     void start(const SurfelCache& cache);
-    void take_surfel(std::size_t surfel, bool weighs_others);
     void take_probe(std::size_t probe, bool afresh);
+    MapGather gather_of(std::size_t surfel);
     ProbeNeighbours around(std::size_t surfel) const;
     Spectrum ray_irradiance(std::span<const float> values, const ProbeNeighbours& around,
                             const glm::vec3& x, const glm::vec3& n) const;
-    void take_emission(std::size_t probe);
     void feed(std::span<const float> previous, std::size_t probe, std::span<Spectrum> E) const;
     void bring(std::size_t probe, std::span<const Spectrum> E, std::span<float> next) const;
     void update_shared(std::span<const float> previous, std::span<float> next) const;
@@ -55,13 +54,9 @@ class RaysModel final : public ProbeModel {
     ProbeWeigher weigher_;
     const SurfelCache* cache_ = nullptr;
     std::optional<RayEnds> ends_;
-    std::vector<Spectrum> unfed_;         ///< radiance a surfel ray brings without feedback
-    std::optional<FeedbackMaps> maps_;    ///< none with Feedback::Rays
-    std::vector<MapGather> gathers_;      ///< what each surfel gathers from the maps
-    std::vector<Spectrum> reflectance_;   ///< radiance over irradiance; 0 for a miss
-    std::vector<float> emitted_;          ///< probe values of emission and environment
-    std::vector<std::uint8_t> emitters_;  ///< of each probe, whether emitted_ has any for it
-    bool any_emits_ = false;
+    std::optional<FeedbackMaps> maps_;  ///< none with Feedback::Rays
+    std::vector<MapGather> gathers_;    ///< what each surfel gathers from the maps
+    std::vector<float> emitted_;        ///< probe values of emission and environment; empty if none
 };
 
 }  // namespace plumbline::ddgi

@@ -97,14 +97,15 @@ Spectrum StepsModel::look_up_at(std::span<const float> values, const glm::vec3& 
 
 Spectrum StepsModel::surfel_radiance(std::span<const float> previous, std::size_t surfel) const {
     const Surfels& surfels = cache_->surfels();
-    Spectrum incident = surfels.direct[surfel] / glm::pi<float>();
+    Spectrum incident = surfels.light[surfel].direct / glm::pi<float>();
     if (steps_.multiBounce) {
         const std::size_t source = surfels.source_of(surfel);
-        const Spectrum Q = look_up_at(previous, surfels.position[source], surfels.n[source]);
+        const Spectrum Q =
+            look_up_at(previous, surfels.place[source].position, surfels.place[source].n);
         incident +=
             steps_.octantLookUp ? Q / glm::pi<float>() : constants_.multiBounceIntensity * Q;
     }
-    const Spectrum radiance = surfels.albedo[surfel] * incident;
+    const Spectrum radiance = surfels.light[surfel].albedo * incident;
     if (steps_.octantLookUp) return radiance;
     Spectrum attenuated;
     for (int c = 0; c < 3; ++c)
@@ -118,7 +119,7 @@ float StepsModel::ray_weight(std::size_t surfel) const {
     if (steps_.solidAngle) return ray_shares_[ray];
     const std::size_t d = ray / pattern.per_octant();
     const glm::vec3 axis = glm::normalize(glm::vec3(principal_directions[d]));
-    const float distance = cache_->surfels().distance[surfel];
+    const float distance = cache_->surfels().place[surfel].distance;
     const float cosine = glm::max(0.f, glm::dot(axis, pattern.directions[ray]));
     return cosine / glm::max(distance * distance, 1.f) / static_cast<float>(pattern.per_octant());
 }

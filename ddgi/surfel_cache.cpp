@@ -26,6 +26,13 @@ Surfels unplaced(const ProbeGrid& grid, const RayPattern& pattern, bool sees) {
     return surfels;
 }
 
+bool emits(const World& world) {
+    return world.environment != Spectrum(0.f) ||
+           std::ranges::any_of(world.materials, [](const Material& material) {
+               return material.emission != Spectrum(0.f);
+           });
+}
+
 }  // namespace
 
 SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
@@ -46,6 +53,7 @@ SurfelCache::SurfelCache(const ProbeGrid& grid, RayPattern pattern, Reach reach,
 
 void SurfelCache::rebuild(const RayTracer& tracer) {
     figures_ = {};
+    if (emits(tracer.world())) surfels_.emission.resize(surfels_.size());
     marks_.set_all();
     take_planes(tracer.world());
     place_marked(tracer, false);
@@ -172,7 +180,7 @@ void SurfelCache::spread_light() {
             if (!surfels_.hit(i) || surfels_.own_light(i)) continue;
             const std::uint32_t source = surfels_.source[i];
             marks_.add(i, marks_.of(source) & (Mark::Lit | Mark::Seen));
-            surfels_.direct[i] = surfels_.direct[source];
+            surfels_.light[i].direct = surfels_.light[source].direct;
         }
     });
     figures_.steps.light += watch.ms();
@@ -187,8 +195,8 @@ SurfelCache::Points SurfelCache::on_surfaces(std::span<const std::size_t> surfel
     for (const std::size_t surfel : surfels) {
         if (!surfels_.own_light(surfel)) continue;
         points.surfel.push_back(surfel);
-        points.position.push_back(surfels_.position[surfel]);
-        points.n.push_back(surfels_.n[surfel]);
+        points.position.push_back(surfels_.place[surfel].position);
+        points.n.push_back(surfels_.place[surfel].n);
     }
     return points;
 }
@@ -222,9 +230,9 @@ void SurfelCache::light_marked(const RayTracer& tracer) {
         for (std::size_t i = 0; i < light.size(); ++i) {
             const std::size_t surfel = surfels[i];
             rays += light[i].shadow_rays;
-            if (surfels_.direct[surfel] == light[i].irradiance && !renewed(surfel))
+            if (surfels_.light[surfel].direct == light[i].irradiance && !renewed(surfel))
                 marks_.drop(surfel, Mark::Lit);
-            surfels_.direct[surfel] = light[i].irradiance;
+            surfels_.light[surfel].direct = light[i].irradiance;
         }
         shadow_rays += rays;
     });

@@ -50,8 +50,8 @@ SurfelCells::SurfelCells(double width, std::size_t surfels)
 
 SurfelCells::Cell SurfelCells::cell_of(const Surfels& surfels, std::size_t surfel) const {
     // Adding 0 turns -0, which is the same cell as 0, into it.
-    return {glm::floor(glm::dvec3(surfels.position[surfel]) / width_) + 0.,
-            glm::ivec3(glm::round(normal_steps * surfels.n[surfel]))};
+    return {glm::floor(glm::dvec3(surfels.place[surfel].position) / width_) + 0.,
+            glm::ivec3(glm::round(normal_steps * surfels.place[surfel].n))};
 }
 
 /// The slot of the surfel's cell in the table; enters the cell if it is not there yet.
@@ -74,7 +74,7 @@ std::uint64_t SurfelCells::group(Surfels& surfels) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             if (!surfels.hit(i)) continue;
             const std::uint32_t slot = slot_of(surfels, static_cast<std::uint32_t>(i));
-            const glm::dvec3 place = glm::dvec3(surfels.position[i]) / width_;
+            const glm::dvec3 place = glm::dvec3(surfels.place[i].position) / width_;
             const glm::dvec3 off_middle = place - glm::floor(place) - .5;
             const auto distance2 = static_cast<float>(glm::dot(off_middle, off_middle));
             // Bits of floats that are not negative are ordered as they are.

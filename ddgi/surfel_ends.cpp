@@ -49,20 +49,24 @@ bool SurfelEnds::is_at(const Surfels& surfels, std::size_t i) const {
 void SurfelEnds::put(Surfels& surfels, std::size_t i) const {
     const std::size_t surfel = which_[i];
     const World& world = tracer_.world();
+    const bool emits = !surfels.emission.empty();
     if (hit_[i] == missed) {
-        surfels.distance[surfel] = std::numeric_limits<float>::infinity();
-        surfels.emission[surfel] = environment_radiance(world, surfels.direction[surfel]);
+        surfels.place[surfel] = {};
+        surfels.light[surfel] = {};
         surfels.object[surfel] = -1;
+        if (emits) {
+            surfels.emission[surfel] = environment_radiance(world, surfels.direction[surfel]);
+        }
         return;
     }
     const auto hit = static_cast<std::size_t>(hit_[i]);
-    surfels.distance[surfel] = hits_.t[hit];
-    surfels.position[surfel] = position_[hit];
-    surfels.n[surfel] = hits_.n[hit];
+    surfels.place[surfel] = {position_[hit], hits_.n[hit], hits_.t[hit]};
     surfels.object[surfel] = hits_.object[hit];
-    surfels.albedo[surfel] = hits_.albedo[hit];
-    surfels.emission[surfel] =
-        world.materials[static_cast<std::size_t>(hits_.material[hit])].emission;
+    surfels.light[surfel].albedo = hits_.albedo[hit];
+    if (emits) {
+        surfels.emission[surfel] =
+            world.materials[static_cast<std::size_t>(hits_.material[hit])].emission;
+    }
 }
 
 }  // namespace plumbline::ddgi

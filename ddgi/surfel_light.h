@@ -17,12 +17,9 @@ class UnfedLight {
     void take(const SurfelCache& cache, bool afresh);
 
     const Spectrum& operator[](std::size_t surfel) const { return radiance_[surfel]; }
-    /// Whether any ray's end emits, or brings the environment's radiance.
-    bool any_emits() const { return any_emits_; }
 
  private:
     std::vector<Spectrum> radiance_;
-    bool any_emits_ = false;
 };
 
 /// irradiance_of(surfel) at all surfels that light is measured at, for those that show it; empty if

@@ -100,20 +100,20 @@ void thesis_lit(const ThesisField& field, const ThesisParameters<T>& parameters,
         for (std::size_t ray = d * per_octant; ray < (d + 1) * per_octant; ++ray) {
             const std::size_t surfel = probe * octant_count * per_octant + ray;
             if (!field.surfels.hit(surfel)) continue;
-            const float distance = field.surfels.distance[surfel];
+            const float distance = field.surfels.place[surfel].distance;
             const float cosine = glm::max(0.f, glm::dot(axis, field.pattern.directions[ray]));
             const Coefficient<T> share = cosine / glm::max(distance * distance, 1.f);
             std::array<T, 3> Q{T(0), T(0), T(0)};
             if (feedback) {
                 const std::size_t source = field.surfels.source_of(surfel);
-                Q = thesis_look_up<T>(field.grid, previous, field.surfels.position[source],
-                                      field.surfels.n[source]);
+                Q = thesis_look_up<T>(field.grid, previous, field.surfels.place[source].position,
+                                      field.surfels.place[source].n);
             }
             for (int c = 0; c < 3; ++c) {
-                const Coefficient<T> albedo = field.surfels.albedo[surfel][c];
+                const Coefficient<T> albedo = field.surfels.light[surfel].albedo[c];
                 const T incident =
                     parameters.multiBounceIntensity * Q[static_cast<std::size_t>(c)] +
-                    Coefficient<T>(field.surfels.direct[surfel][c] / glm::pi<float>());
+                    Coefficient<T>(field.surfels.light[surfel].direct[c] / glm::pi<float>());
                 sum[static_cast<std::size_t>(c)] +=
                     share * thesis_surfel<T>(albedo * incident, parameters.bounceAttenuation);
             }

@@ -45,8 +45,8 @@ struct SurfelWork {
             const auto probe = std::uint32_t(i / std::size_t(surfels.per_probe));
             rays[Place].push_back({probe_position(cache.grid(), probe), surfels.direction[i]});
             if (!surfels.hit(i)) continue;
-            x.push_back(surfels.position[i]);
-            n.push_back(surfels.n[i]);
+            x.push_back(surfels.place[i].position);
+            n.push_back(surfels.place[i].n);
             add_ways(x.back(), n.back());
         }
     }
@@ -178,8 +178,8 @@ void part_of_surfels(benchmark::State& state) {
 
 /// The rays of a probe with random radiance, and points that look it up.
 struct LookUps {
-    RayEnds ends{1, 64, 20.f};
-    Surfels surfels;
+    const Surfels& surfels = surfel_work(0).cache.surfels();
+    RayEnds ends{surfels, 20.f};
     glm::vec3 probe{0.f, 200.f, 0.f};
     std::vector<float> radiance;
     std::vector<glm::vec3> points;
@@ -187,7 +187,6 @@ struct LookUps {
 
     LookUps() {
         SurfelWork& work = surfel_work(0);
-        surfels = work.cache.surfels();
         probe = probe_position(work.cache.grid(), 0);
         for (std::size_t ray = 0; ray < 64; ++ray) ends.set(0, ray, probe, surfels);
         std::mt19937 engine(1);
@@ -217,8 +216,8 @@ RaySums ray_by_ray(const LookUps& work, const glm::vec3& x) {
     for (std::size_t i = 0; i < 64; ++i) {
         const bool hit = work.surfels.hit(i);
         const glm::vec3& direction = work.surfels.direction[i];
-        const float d = hit ? work.surfels.distance[i] : 2e5f;
-        const glm::vec3 n = hit ? work.surfels.n[i] : -direction;
+        const float d = hit ? work.surfels.place[i].distance : 2e5f;
+        const glm::vec3 n = hit ? work.surfels.place[i].n : -direction;
         const glm::vec3 way = work.probe + d * direction - x;
         const float d2 = glm::dot(way, way);
         const float distance = std::sqrt(d2);

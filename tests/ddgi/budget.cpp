@@ -107,7 +107,9 @@ TEST_CASE("a budget is kept, and once all had their turn nothing tells that ther
     for (int frame = 0; frame < scene.frames; ++frame) {
         const std::vector<float> direct_before = [&] {
             std::vector<float> all;
-            for (const Spectrum& E : tight.cache().surfels().direct) all.push_back(E.r);
+            for (const SurfelLight& light : tight.cache().surfels().light) {
+                all.push_back(light.direct.r);
+            }
             return all;
         }();
         for (ProbeVolume* volume : {&tight, &free}) {
@@ -121,7 +123,7 @@ TEST_CASE("a budget is kept, and once all had their turn nothing tells that ther
             if (tight.cache().changed(i)) ++changed;
             // Who is not served stays as it is.
             else
-                REQUIRE(tight.cache().surfels().direct[i].r == direct_before[i]);
+                REQUIRE(tight.cache().surfels().light[i].direct.r == direct_before[i]);
         }
         CHECK(changed <= budget);
         CHECK(tight.figures().replaced <= budget);

@@ -93,8 +93,8 @@ TEST_CASE("surfels see the same probes by planes and by rays alone, and most nee
     std::size_t seen = 0, by_planes = 0, different = 0;
     for (std::size_t i = 0; i < surfels.size(); ++i) {
         if (!surfels.hit(i)) continue;
-        const glm::vec3& x = surfels.position[i];
-        const std::uint8_t by_rays = seen_probes(tracer, cache.grid(), x, surfels.n[i]);
+        const glm::vec3& x = surfels.place[i].position;
+        const std::uint8_t by_rays = seen_probes(tracer, cache.grid(), x, surfels.place[i].n);
         if (by_rays != surfels.seen[i]) ++different;
         const std::uint8_t open = open_ways(planes, cache.grid(), x);
         seen += std::size_t(std::popcount(by_rays));

@@ -82,8 +82,8 @@ TwinWeight twin_weight(const glm::vec3& probe, const Surfels& surfels, std::size
                        const glm::vec3& point, const glm::vec3& normal) {
     constexpr double flattest = double(1e-3f);
     const double most = double(RayEnds::most_magnified);
-    const glm::dvec3 w(surfels.direction[ray]), ny(surfels.n[ray]), n(normal);
-    const double distance = double(surfels.distance[ray]);
+    const glm::dvec3 w(surfels.direction[ray]), ny(surfels.place[ray].n), n(normal);
+    const double distance = double(surfels.place[ray].distance);
     const glm::dvec3 u = glm::dvec3(probe) + distance * w - glm::dvec3(point);
     const double d = glm::length(u);
     const double flatness = std::max(-glm::dot(ny, w), flattest);
@@ -139,11 +139,12 @@ TEST_CASE("gather weights of rays in float are their double twins", "[ddgi][twin
         surfels.resize(1, rays);
         for (std::size_t ray = 0; ray < rays; ++ray) {
             surfels.direction[ray] = any_direction(engine);
-            surfels.distance[ray] = std::pow(10.f, 3.f * uniform(engine));
-            surfels.n[ray] = any_direction(engine);
-            if (glm::dot(surfels.n[ray], surfels.direction[ray]) > 0.f) surfels.n[ray] *= -1.f;
+            surfels.place[ray].distance = std::pow(10.f, 3.f * uniform(engine));
+            surfels.place[ray].n = any_direction(engine);
+            if (glm::dot(surfels.place[ray].n, surfels.direction[ray]) > 0.f)
+                surfels.place[ray].n *= -1.f;
         }
-        RayEnds ends(1, rays, 1.f);
+        RayEnds ends(surfels, 1.f);
         for (std::size_t ray = 0; ray < rays; ++ray) ends.set(0, ray, probe, surfels);
         const glm::vec3 x = probe + std::pow(10.f, 2.f * uniform(engine)) * any_direction(engine);
         const glm::vec3 n = any_direction(engine);

@@ -45,8 +45,7 @@ TEST_CASE("the cache changes no byte of any frame, and saves work", "[ddgi]") {
         INFO("frame " << frame);
         with.move_to(frame);
         without.move_to(frame);
-        CHECK(std::ranges::equal(with.cache().surfels().distance,
-                                 without.cache().surfels().distance));
+        CHECK(std::ranges::equal(with.cache().surfels().place, without.cache().surfels().place));
         CHECK(with.figures().surfels_hit == without.figures().surfels_hit);
         with.update();
         without.update();

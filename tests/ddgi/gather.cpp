@@ -22,7 +22,7 @@ glm::vec3 random_direction(std::mt19937& engine) {
 }
 
 RayEnds ends_of(const Surfels& surfels, const glm::vec3& position) {
-    RayEnds ends(1, surfels.size(), 1.f);
+    RayEnds ends(surfels, 1.f);
     for (std::size_t ray = 0; ray < surfels.size(); ++ray) ends.set(0, ray, position, surfels);
     return ends;
 }
@@ -37,8 +37,8 @@ Surfels surfels_in_sphere(const RayPattern& pattern, const glm::vec3& position) 
         const float b = glm::dot(position, w);
         const float t = -b + std::sqrt(b * b - glm::dot(position, position) + radius * radius);
         surfels.direction[i] = w;
-        surfels.distance[i] = t;
-        surfels.n[i] = -(position + t * w) / radius;
+        surfels.place[i].distance = t;
+        surfels.place[i].n = -(position + t * w) / radius;
     }
     return surfels;
 }
@@ -102,8 +102,8 @@ TEST_CASE("a ray that ends at the point itself brings nothing and no NaN", "[ddg
     const Surfels surfels = surfels_in_sphere(sphere_pattern(8, false), glm::vec3(0.f));
     const RayEnds ends = ends_of(surfels, glm::vec3(0.f));
     const std::vector<float> radiance(3 * surfels.size(), 1.f);
-    const glm::vec3 x = surfels.distance[0] * surfels.direction[0];
-    CHECK(std::isfinite(ends.from_point(0, x, surfels.n[0], radiance.data()).weight));
+    const glm::vec3 x = surfels.place[0].distance * surfels.direction[0];
+    CHECK(std::isfinite(ends.from_point(0, x, surfels.place[0].n, radiance.data()).weight));
 }
 
 TEST_CASE("a map interpolates between nodes with weights that sum to one", "[ddgi]") {
@@ -143,12 +143,12 @@ TEST_CASE("surfels gather what the nodes around their normals interpolate to", "
     std::uniform_real_distribution<float> uniform(0.f, 1.f);
     const ProbeGrid grid{glm::vec3(-.5f), 1.f, {2, 2, 1}};  // thinner than a cell along z
     const Surfels surfels = surfels_in_sphere(sphere_pattern(64, true), {.1f, 0.f, 0.f});
-    RayEnds ends(4, 64, 1.f);
     std::vector<float> radiance(4 * 3 * 64);
     for (float& L : radiance) L = uniform(engine);
     Surfels all;
     all.resize(4, 64);
     for (std::size_t i = 0; i < all.size(); ++i) all.direction[i] = surfels.direction[i % 64];
+    RayEnds ends(all, 1.f);
     for (std::size_t i = 0; i < all.size(); ++i) ends.set(i / 64, i % 64, glm::vec3(0.f), all);
 
     FeedbackMaps maps(grid);

@@ -137,8 +137,7 @@ void check_random_animation(DdgiOptions options) {
             volume->move_to(frame);
             volume->update();
         }
-        REQUIRE(std::ranges::equal(with.cache().surfels().distance,
-                                   without.cache().surfels().distance));
+        REQUIRE(std::ranges::equal(with.cache().surfels().place, without.cache().surfels().place));
         REQUIRE(same_bytes(with.values(), without.values()));
         REQUIRE(ddgi::same_bytes(picture(with, options), picture(without, options)));
         kept += without.figures().replaced - with.figures().replaced;

@@ -50,9 +50,9 @@ Surfels surfels_at(const std::vector<Place>& places) {
     surfels.resize(1, static_cast<int>(places.size()));
     surfels.source.resize(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
-        surfels.distance[i] = 1.f;
-        surfels.position[i] = places[i].position;
-        surfels.n[i] = places[i].n;
+        surfels.place[i].distance = 1.f;
+        surfels.place[i].position = places[i].position;
+        surfels.place[i].n = places[i].n;
     }
     return surfels;
 }
@@ -70,7 +70,7 @@ TEST_CASE("surfels of one cell show the light of the one nearest to its middle",
                                   {{-.1f, 0.f, .5f}, up},    // in the one before
                                   {{.6f, 0.f, .4f}, up},     // as near as the second
                                   {{.5f, 0.f, .5f}, glm::normalize(glm::vec3(.05f, 1.f, 0.f))}});
-    surfels.distance[6] = std::numeric_limits<float>::infinity();
+    surfels.place[6].distance = std::numeric_limits<float>::infinity();
     SurfelCells cells(1., surfels.size());
     CHECK(cells.group(surfels) == 4);
     // The last one faces nearly up, and is the nearest.
@@ -80,8 +80,8 @@ TEST_CASE("surfels of one cell show the light of the one nearest to its middle",
     CHECK(surfels.source[3] == 3);
     CHECK(surfels.source[4] == 4);
     CHECK(surfels.source[5] == 5);
-    surfels.distance[7] = std::numeric_limits<float>::infinity();
-    surfels.distance[6] = 1.f;
+    surfels.place[7].distance = std::numeric_limits<float>::infinity();
+    surfels.place[6].distance = 1.f;
     CHECK(cells.group(surfels) == 4);
     CHECK(surfels.source[0] == 1);  // of two as near, the first
     CHECK(surfels.source[6] == 1);
@@ -105,10 +105,10 @@ TEST_CASE("light is measured once a cell, and all that share it show it", "[shar
         lit += surfels.own_light(i) ? 1 : 0;
         const std::size_t source = surfels.source_of(i);
         REQUIRE(surfels.own_light(source));
-        REQUIRE(surfels.direct[i] == surfels.direct[source]);
-        REQUIRE(glm::distance(surfels.position[i], surfels.position[source]) <
+        REQUIRE(surfels.light[i].direct == surfels.light[source].direct);
+        REQUIRE(glm::distance(surfels.place[i].position, surfels.place[source].position) <
                 width * glm::root_three<float>());
-        REQUIRE(glm::dot(surfels.n[i], surfels.n[source]) > .9f);
+        REQUIRE(glm::dot(surfels.place[i].n, surfels.place[source].n) > .9f);
     }
     CHECK(lit == shared.figures().surfels_lit);
     CHECK(shared.figures().surfel_shadow_rays <= lit);  // one lamp

@@ -135,12 +135,12 @@ bool same_bytes(const Image& a, const Image& b) {
 }
 
 bool same_surfels(const Surfels& a, const Surfels& b) {
-    if (a.distance != b.distance || a.emission != b.emission) return false;
+    if (a.place != b.place || a.object != b.object || a.light != b.light ||
+        a.emission != b.emission) {
+        return false;
+    }
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (!a.hit(i)) continue;
-        if (a.position[i] != b.position[i] || a.n[i] != b.n[i] || a.object[i] != b.object[i] ||
-            a.albedo[i] != b.albedo[i] || a.direct[i] != b.direct[i])
-            return false;
         if (a.source_of(i) != b.source_of(i)) return false;
         if (a.own_light(i) && !a.seen.empty() && a.seen[i] != b.seen[i]) return false;
     }

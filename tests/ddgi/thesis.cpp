@@ -27,11 +27,11 @@ struct TinyField {
         surfels.resize(probe_count(grid), pattern.size());
         for (std::size_t i = 0; i < surfels.size(); ++i) {
             if (unit(random) < .4f) continue;
-            surfels.distance[i] = 2.f * unit(random);
-            surfels.position[i] = grid.origin + 8.f * spectrum() - 1.f;
-            surfels.n[i] = glm::normalize(spectrum() - .5f);
-            surfels.albedo[i] = spectrum();
-            surfels.direct[i] = 20.f * spectrum();
+            surfels.place[i].distance = 2.f * unit(random);
+            surfels.place[i].position = grid.origin + 8.f * spectrum() - 1.f;
+            surfels.place[i].n = glm::normalize(spectrum() - .5f);
+            surfels.light[i].albedo = spectrum();
+            surfels.light[i].direct = 20.f * spectrum();
         }
         values.resize(probe_count(grid) * 3 * octant_count);
         for (float& value : values) value = unit(random);
@@ -53,7 +53,7 @@ class ByTheBook {
             const glm::dvec3 dir(tiny_.pattern.directions[std::size_t(ray)]);
             if (owner(dir) != d) continue;
             const std::size_t surfel = probe * 64 + std::size_t(ray);
-            sum += std::isfinite(tiny_.surfels.distance[surfel])
+            sum += std::isfinite(tiny_.surfels.place[surfel].distance)
                        ? hit(surfel, dir, d, channel)
                        : at(neighbour(x, y, z, d), d, channel) * double(p_.falloffRegulator) /
                              (2. * h * h);
@@ -105,12 +105,12 @@ class ByTheBook {
     }
     double hit(std::size_t s, const glm::dvec3& dir, int d, int channel) const {
         const Surfels& surfels = tiny_.surfels;
-        const double white = double(surfels.direct[s][channel]) / 3.14159265358979;
-        const double lit = double(surfels.albedo[s][channel]) *
+        const double white = double(surfels.light[s].direct[channel]) / 3.14159265358979;
+        const double lit = double(surfels.light[s].albedo[channel]) *
                            (white + double(p_.multiBounceIntensity) *
-                                        Q(surfels.position[s], surfels.n[s], channel)) *
+                                        Q(surfels.place[s].position, surfels.place[s].n, channel)) *
                            double(p_.bounceAttenuation);
-        const double d2 = double(surfels.distance[s]) * double(surfels.distance[s]);
+        const double d2 = double(surfels.place[s].distance) * double(surfels.place[s].distance);
         return std::min(1., lit) * std::max(0., glm::dot(dir, D(d) / std::sqrt(2.))) /
                std::max(1., d2);
     }
