@@ -8,7 +8,9 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <numeric>
 
+#include "ddgi/ray_blocks.h"
 #include "scenes/errors.h"
 
 namespace plumbline::ddgi {
@@ -35,6 +37,24 @@ constexpr glm::dvec3 turn_shifts(.754877666246693, .569840290998053, .4301597090
 glm::vec3 sphere_direction(int i, int n, double slide, double turn) {
     const double cos_polar = 1. - 2. * (i + slide) / n;
     return direction_at(cos_polar, 2. * pi * (std::fmod(golden * i, 1.) + turn));
+}
+
+/// The points of the sphere's lattice in an order in which each rays_in_block that follow each other
+/// point much the same way: bands of heights, each sorted by azimuth.
+std::vector<int> sphere_order(int n) {
+    const int blocks = n / static_cast<int>(rays_in_block);
+    // Of a band, which is 2 / bands high, as many blocks as make them as wide as high.
+    const int bands = std::max(1, static_cast<int>(std::lround(std::sqrt(blocks / 2.))));
+    std::vector<int> order(static_cast<std::size_t>(n));
+    std::iota(order.begin(), order.end(), 0);
+    for (int band = 0; band < bands; ++band) {
+        const auto start = [&](int b) {
+            return order.begin() + std::ptrdiff_t{blocks * b / bands} * rays_in_block;
+        };
+        std::ranges::sort(start(band), start(band + 1), {},
+                          [](int i) { return std::fmod(golden * i, 1.); });
+    }
+    return order;
 }
 
 /// Throws UsageError.
@@ -98,8 +118,8 @@ RayPattern even_pattern(int surfels) {
 
 RayPattern sphere_pattern(int surfels, bool shifted) {
     check_even(surfels);
-    RayPattern pattern{{}, shifted};
-    for (int i = 0; i < surfels; ++i) {
+    RayPattern pattern{{}, shifted, sphere_order(surfels)};
+    for (const int i : pattern.lattice) {
         pattern.directions.push_back(sphere_direction(i, surfels, .5, 0.));
     }
     return pattern;
@@ -122,7 +142,7 @@ std::vector<glm::vec3> probe_directions(const RayPattern& pattern, const glm::iv
     const double slide = glm::fract(glm::dot(glm::dvec3(cell), height_shifts));
     const double turn = glm::fract(glm::dot(glm::dvec3(cell), turn_shifts));
     std::vector<glm::vec3> directions;
-    for (int i = 0; i < pattern.size(); ++i) {
+    for (const int i : pattern.lattice) {
         directions.push_back(sphere_direction(i, pattern.size(), slide, turn));
     }
     return directions;

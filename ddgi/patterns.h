@@ -29,6 +29,7 @@ struct RayPattern {
     std::vector<glm::vec3> directions;
     /// Each probe has its own shift of the pattern, see probe_directions().
     bool shifted = false;
+    std::vector<int> lattice{};  ///< of sphere_pattern(), which point of the lattice each ray is
 
     int size() const { return static_cast<int>(directions.size()); }
     /// For patterns sorted by octant: octant d owns [d * per_octant(), (d + 1) * per_octant()).
@@ -49,7 +50,7 @@ RayPattern thesis_pattern(int surfels);
 RayPattern even_pattern(int surfels);
 
 /// Rays that stand for equal solid angles 4 pi / surfels: one golden-ratio lattice on the whole
-/// sphere. With `shifted`, each probe turns it by its own azimuth and slides it by its own part of
+/// sphere, in an order in which those of a block (see RayBlocks) point much the same way. With `shifted`, each probe turns it by its own azimuth and slides it by its own part of
 /// the lattice's step in height.
 /// `surfels` is a positive multiple of 8; throws UsageError otherwise.
 RayPattern sphere_pattern(int surfels, bool shifted);

@@ -35,25 +35,31 @@ void RaysModel::start(const SurfelCache& cache) {
 void RaysModel::take_surfels(const SurfelCache& cache) {
     const bool afresh = cache_ != &cache;
     if (afresh) start(cache);
-    tbb::parallel_for(std::size_t{0}, std::size_t{probe_count(grid_)},
-                      [&](std::size_t probe) { take_probe(probe, afresh); });
+    const bool others_changed = weigher_.may_change();
+    for_probes(probe_count(grid_), [&](std::size_t probe) {
+        if (!afresh && !others_changed) {
+            cache.for_changed(probe, [&](std::size_t i) {
+                take(probe, i, cache.sees_others(i), cache.replaced(i));
+            });
+            return;
+        }
+        for (std::size_t i = probe * rays(); i < (probe + 1) * rays(); ++i) {
+            const bool weighs = afresh || cache.sees_others(i) ||
+                                weigher_.changed_at(cache.surfels().place[i].position);
+            take(probe, i, weighs, afresh || cache.replaced(i));
+        }
+    });
 }
 
-void RaysModel::take_probe(std::size_t probe, bool afresh) {
-    const glm::vec3 position = probe_position(grid_, static_cast<std::uint32_t>(probe));
+/// Takes in a surfel of `probe`: if it `weighs` its probes anew, what it gathers, and if its ray
+/// `ended` elsewhere, where.
+void RaysModel::take(std::size_t probe, std::size_t surfel, bool weighs, bool ended) {
+    if (maps_ && weighs) gathers_[surfel] = gather_of(surfel);
+    if (!ended) return;
     const Surfels& surfels = cache_->surfels();
-    const bool others_changed = weigher_.may_change();
-    if (!afresh && !others_changed && !cache_->probe_changed(probe)) return;
-    for (std::size_t ray = 0; ray < rays(); ++ray) {
-        const std::size_t i = probe * rays() + ray;
-        const bool weighs_others =
-            afresh || cache_->sees_others(i) ||
-            (others_changed && weigher_.changed_at(surfels.place[i].position));
-        if (maps_ && weighs_others) gathers_[i] = gather_of(i);
-        if (!afresh && !cache_->replaced(i)) continue;
-        ends_->set(probe, ray, position, surfels);
-        if (!emitted_.empty()) put(emitted_, probe, ray, rays(), surfels.emission[i]);
-    }
+    const std::size_t ray = surfel - probe * rays();
+    ends_->set(probe, ray, probe_position(grid_, static_cast<std::uint32_t>(probe)), surfels);
+    if (!emitted_.empty()) put(emitted_, probe, ray, rays(), surfels.emission[surfel]);
 }
 
 ProbeNeighbours RaysModel::around(std::size_t surfel) const {

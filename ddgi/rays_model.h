@@ -40,7 +40,7 @@ class RaysModel final : public ProbeModel {
  private:
     std::size_t rays() const { return static_cast<std::size_t>(cache_->surfels().per_probe); }
     void start(const SurfelCache& cache);
-    void take_probe(std::size_t probe, bool afresh);
+    void take(std::size_t probe, std::size_t surfel, bool weighs, bool ended);
     MapGather gather_of(std::size_t surfel);
     ProbeNeighbours around(std::size_t surfel) const;
     Spectrum ray_irradiance(std::span<const float> values, const ProbeNeighbours& around,

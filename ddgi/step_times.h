@@ -41,4 +41,14 @@ inline StepTimes& operator+=(StepTimes& sum, const StepTimes& times) {
     return sum;
 }
 
+/// Times of threads, which overlap, as shares of the wall-clock time that they took together.
+inline StepTimes shared_out(const StepTimes& threads, double wall_ms) {
+    double sum = 0.;
+    for (const TimedStep& step : timed_steps) sum += threads.*step.ms;
+    StepTimes shares;
+    if (sum == 0.) return shares;
+    for (const TimedStep& step : timed_steps) shares.*step.ms = threads.*step.ms / sum * wall_ms;
+    return shares;
+}
+
 }  // namespace plumbline::ddgi

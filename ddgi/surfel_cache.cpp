@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ddgi/surfel_cache.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
-#include <atomic>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -56,11 +56,7 @@ void SurfelCache::rebuild(const RayTracer& tracer) {
     if (emits(tracer.world())) surfels_.emission.resize(surfels_.size());
     marks_.set_all();
     take_planes(tracer.world());
-    place_marked(tracer, false);
-    share_light();
-    see_marked(tracer);
-    light_marked(tracer);
-    spread_light();
+    renew(tracer, false);
 }
 
 void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
@@ -85,11 +81,7 @@ void SurfelCache::refresh(const RayTracer& tracer, const Motion& motion) {
         queue_->take_turn(marks_);
         figures_.steps.mark_places += choosing.ms();
     }
-    place_marked(tracer, true);
-    share_light();
-    see_marked(tracer);
-    light_marked(tracer);
-    spread_light();
+    renew(tracer, true);
     marks_.join();
 }
 
@@ -100,37 +92,87 @@ void SurfelCache::take_planes(const World& world) {
     figures_.steps.planes += watch.ms();
 }
 
-/// With `unless_there` those whose rays end where they did stay as they are, and lose the mark.
-void SurfelCache::place_marked(const RayTracer& tracer, bool unless_there) {
+/// Surfels that light is measured at, and where they are.
+struct SurfelCache::Points {
+    std::vector<std::size_t> surfel;
+    std::vector<glm::vec3> position;
+    std::vector<glm::vec3> n;
+};
+
+/// The probes that a thread is at, room for what it finds there, and what it has done so far.
+struct SurfelCache::Thread {
+    std::size_t first = 0, last = 0;
+    std::vector<std::size_t> marked;
+    Points points;
+    std::vector<std::uint8_t> seen;
+    std::vector<DirectLight> lit;
+    Figures figures;
+};
+
+/// Calls round(thread) for marked probes, some at a time, and adds up what was done.
+template <typename Round>
+void SurfelCache::in_rounds(const Round& round) {
     const Stopwatch watch;
-    std::atomic<std::uint64_t> traced{0}, replaced{0};
-    marks_.for_marked(Mark::Placed, [&](std::span<const std::size_t> batch) {
-        SurfelEnds ends(tracer);
-        std::uint64_t placed = 0;
-        for (std::size_t first = 0; first < batch.size(); first += plumbline::lane_count) {
-            const auto part =
-                batch.subspan(first, std::min(plumbline::lane_count, batch.size() - first));
-            ends.trace(grid_, marker_, surfels_, part);
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                if (unless_there && ends.is_at(surfels_, i)) {
-                    marks_.drop(part[i], Mark::Placed);
-                    continue;
-                }
-                place(ends, i, part[i]);
-                ++placed;
-            }
-        }
-        traced += batch.size();
-        replaced += placed;
+    tbb::enumerable_thread_specific<Thread> threads;
+    marks_.for_marked([&](std::size_t first, std::size_t last) {
+        Thread& thread = threads.local();
+        thread.first = first;
+        thread.last = last;
+        round(thread);
     });
-    figures_.traced = traced;
-    figures_.replaced = replaced;
+    StepTimes times;
+    for (const Thread& thread : threads) {
+        times += thread.figures.steps;
+        figures_.traced += thread.figures.traced;
+        figures_.replaced += thread.figures.replaced;
+        figures_.shadow_rays += thread.figures.shadow_rays;
+    }
+    figures_.steps += shared_out(times, watch.ms());
+}
+
+/// Does what the marks say. All steps of some probes at a time, so that what one wrote is still in
+/// the cache when the next reads it; but sources are told when all surfels are placed.
+void SurfelCache::renew(const RayTracer& tracer, bool unless_there) {
+    in_rounds([&](Thread& thread) {
+        place(tracer, unless_there, thread);
+        if (cells_) return;
+        see(tracer, thread);
+        light(tracer, thread);
+    });
     hits_ = std::reduce(hits_of_.begin(), hits_of_.end(), std::uint64_t{0});
-    figures_.steps.place += watch.ms();
+    if (!cells_) return;
+    share_light();
+    in_rounds([&](Thread& thread) {
+        see(tracer, thread);
+        light(tracer, thread);
+    });
+    spread_light();
+}
+
+/// With `unless_there` those whose rays end where they did stay as they are, and lose the mark.
+void SurfelCache::place(const RayTracer& tracer, bool unless_there, Thread& thread) {
+    const Stopwatch watch;
+    marks_.find(thread.first, thread.last, Mark::Placed, thread.marked);
+    const std::span<const std::size_t> all = thread.marked;
+    SurfelEnds ends(tracer);
+    for (std::size_t first = 0; first < all.size(); first += plumbline::lane_count) {
+        const auto part = all.subspan(first, std::min(plumbline::lane_count, all.size() - first));
+        ends.trace(grid_, marker_, surfels_, part);
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            if (unless_there && ends.is_at(surfels_, i)) {
+                marks_.drop(part[i], Mark::Placed);
+                continue;
+            }
+            put(ends, i, part[i]);
+            ++thread.figures.replaced;
+        }
+    }
+    thread.figures.traced += all.size();
+    thread.figures.steps.place += watch.ms();
 }
 
 /// Puts a surfel where its ray ends, number `i` of `ends`.
-void SurfelCache::place(const SurfelEnds& ends, std::size_t i, std::size_t surfel) {
+void SurfelCache::put(const SurfelEnds& ends, std::size_t i, std::size_t surfel) {
     const std::size_t probe = ends.probe(i);
     marks_.add(probe, surfel, all_marks);
     hits_of_[probe] -= surfels_.hit(surfel) ? 1u : 0u;
@@ -186,58 +228,53 @@ void SurfelCache::spread_light() {
     figures_.steps.light += watch.ms();
 }
 
-/// Those of `surfels` that light is measured at, and where.
-SurfelCache::Points SurfelCache::on_surfaces(std::span<const std::size_t> surfels) const {
-    Points points;
-    points.surfel.reserve(surfels.size());
-    points.position.reserve(surfels.size());
-    points.n.reserve(surfels.size());
-    for (const std::size_t surfel : surfels) {
+/// Those that have this mark and that light is measured at.
+void SurfelCache::find_points(Mark::Bit mark, Thread& thread) const {
+    marks_.find(thread.first, thread.last, mark, thread.marked);
+    Points& points = thread.points;
+    points.surfel.clear();
+    points.position.clear();
+    points.n.clear();
+    for (const std::size_t surfel : thread.marked) {
         if (!surfels_.own_light(surfel)) continue;
         points.surfel.push_back(surfel);
         points.position.push_back(surfels_.place[surfel].position);
         points.n.push_back(surfels_.place[surfel].n);
     }
-    return points;
 }
 
-void SurfelCache::see_marked(const RayTracer& tracer) {
+void SurfelCache::see(const RayTracer& tracer, Thread& thread) {
     if (!planes_) return;
     const Stopwatch watch;
-    marks_.for_marked(Mark::Seen, [&](std::span<const std::size_t> batch) {
-        const auto [surfels, x, n] = on_surfaces(batch);
-        std::vector<std::uint8_t> seen(x.size());
-        seen_probes(tracer, grid_, *planes_, x, n, seen);
-        for (std::size_t i = 0; i < seen.size(); ++i) {
-            const std::size_t surfel = surfels[i];
-            // What is as it was need not be looked at again.
-            if (surfels_.seen[surfel] == seen[i] && !renewed(surfel))
-                marks_.drop(surfel, Mark::Seen);
-            surfels_.seen[surfel] = seen[i];
-        }
-    });
-    figures_.steps.see += watch.ms();
+    find_points(Mark::Seen, thread);
+    const auto& [surfels, x, n] = thread.points;
+    thread.seen.resize(x.size());
+    seen_probes(tracer, grid_, *planes_, x, n, thread.seen);
+    for (std::size_t i = 0; i < surfels.size(); ++i) {
+        const std::size_t surfel = surfels[i];
+        // What is as it was need not be looked at again.
+        if (surfels_.seen[surfel] == thread.seen[i] && !renewed(surfel))
+            marks_.drop(surfel, Mark::Seen);
+        surfels_.seen[surfel] = thread.seen[i];
+    }
+    thread.figures.steps.see += watch.ms();
 }
 
-void SurfelCache::light_marked(const RayTracer& tracer) {
+void SurfelCache::light(const RayTracer& tracer, Thread& thread) {
     const Stopwatch watch;
-    std::atomic<std::uint64_t> shadow_rays{0};
-    marks_.for_marked(Mark::Lit, [&](std::span<const std::size_t> batch) {
-        const auto [surfels, x, n] = on_surfaces(batch);
-        std::vector<DirectLight> light(x.size());
-        direct_light(tracer, x, n, light);
-        std::uint64_t rays = 0;
-        for (std::size_t i = 0; i < light.size(); ++i) {
-            const std::size_t surfel = surfels[i];
-            rays += light[i].shadow_rays;
-            if (surfels_.light[surfel].direct == light[i].irradiance && !renewed(surfel))
-                marks_.drop(surfel, Mark::Lit);
-            surfels_.light[surfel].direct = light[i].irradiance;
-        }
-        shadow_rays += rays;
-    });
-    figures_.shadow_rays = shadow_rays;
-    figures_.steps.light += watch.ms();
+    find_points(Mark::Lit, thread);
+    const auto& [surfels, x, n] = thread.points;
+    thread.lit.resize(x.size());
+    direct_light(tracer, x, n, thread.lit);
+    for (std::size_t i = 0; i < surfels.size(); ++i) {
+        const std::size_t surfel = surfels[i];
+        const auto& [irradiance, shadow_rays] = thread.lit[i];
+        thread.figures.shadow_rays += shadow_rays;
+        if (surfels_.light[surfel].direct == irradiance && !renewed(surfel))
+            marks_.drop(surfel, Mark::Lit);
+        surfels_.light[surfel].direct = irradiance;
+    }
+    thread.figures.steps.light += watch.ms();
 }
 
 }  // namespace plumbline::ddgi

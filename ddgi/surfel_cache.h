@@ -56,6 +56,11 @@ class SurfelCache {
     bool changed(std::size_t surfel) const { return marks_.of(surfel) != 0; }
     /// ... or of any of this probe's.
     bool probe_changed(std::size_t probe) const { return marks_.of_probe(probe) != 0; }
+    /// Calls f(surfel) for those surfels of a probe of which the last call may have changed anything.
+    template <typename Function>
+    void for_changed(std::size_t probe, const Function& f) const {
+        marks_.for_rays(probe, 0xff, f);
+    }
     /// How many surfels are on a surface.
     std::uint64_t hits() const { return hits_; }
     /// How many of these light is measured at.
@@ -75,24 +80,24 @@ class SurfelCache {
     const Figures& figures() const { return figures_; }
 
  private:
-    struct Points {
-        std::vector<std::size_t> surfel;
-        std::vector<glm::vec3> position;
-        std::vector<glm::vec3> n;
-    };
+    struct Thread;
+    struct Points;
 
     void take_planes(const World& world);
-    void place_marked(const RayTracer& tracer, bool unless_there);
+    void renew(const RayTracer& tracer, bool unless_there);
+    template <typename Round>
+    void in_rounds(const Round& round);
+    void place(const RayTracer& tracer, bool unless_there, Thread& thread);
+    void see(const RayTracer& tracer, Thread& thread);
+    void light(const RayTracer& tracer, Thread& thread);
+    void put(const SurfelEnds& ends, std::size_t i, std::size_t surfel);
+    void find_points(Mark::Bit mark, Thread& thread) const;
     void leave_to_sources();
     void share_light();
     void spread_light();
     bool renewed(std::size_t surfel) const {
         return (marks_.of(surfel) & (Mark::Placed | Mark::Sourced)) != 0;
     }
-    void see_marked(const RayTracer& tracer);
-    void light_marked(const RayTracer& tracer);
-    void place(const SurfelEnds& ends, std::size_t i, std::size_t surfel);
-    Points on_surfaces(std::span<const std::size_t> surfels) const;
 
     ProbeGrid grid_;
     RayPattern pattern_;

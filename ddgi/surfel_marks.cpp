@@ -19,6 +19,20 @@ void SurfelMarks::join() {
     });
 }
 
+void SurfelMarks::find(std::size_t first, std::size_t last, Mark::Bit mark,
+                       std::vector<std::size_t>& surfels) const {
+    surfels.clear();
+    for (std::size_t probe = first; probe < last; ++probe) {
+        for_rays(probe, mark, [&](std::size_t surfel) { surfels.push_back(surfel); });
+    }
+}
+
+std::size_t SurfelMarks::count(std::size_t probe) const {
+    const auto first = marks_.begin() + static_cast<std::ptrdiff_t>(probe * per_probe_);
+    return per_probe_ - static_cast<std::size_t>(
+                            std::count(first, first + static_cast<std::ptrdiff_t>(per_probe_), 0));
+}
+
 void SurfelMarks::set_all() {
     std::ranges::fill(marks_, all_marks);
     std::ranges::fill(probe_marks_, all_marks);

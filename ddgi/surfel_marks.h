@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,7 @@ constexpr std::uint8_t all_marks = Mark::Placed | Mark::Lit | Mark::Seen;
 /// each probe. Threads may work on different probes.
 class SurfelMarks {
  public:
+    /// `per_probe` is a multiple of 8.
     SurfelMarks(std::size_t probes, std::size_t per_probe)
         : per_probe_(per_probe), marks_(probes * per_probe), probe_marks_(probes) {}
 
@@ -56,27 +58,46 @@ class SurfelMarks {
     void set_all();
     void clear();
 
-    /// Calls body(surfels) with batches of the surfels that have this mark, in parallel.
+    /// Calls body(first, last) for ranges of probes, from first on and before last, in parallel: all
+    /// that have marks, with some hundred marked surfels or more at a time.
     template <typename Body>
-    void for_marked(Mark::Bit mark, const Body& body) const {
-        constexpr std::size_t most_at_once = 256;
+    void for_marked(const Body& body) const {
+        constexpr std::size_t enough = 256;
         const tbb::blocked_range<std::size_t> all(0, probes());
         tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
-            std::vector<std::size_t> batch;
-            for (std::size_t probe = range.begin(); probe < range.end(); ++probe) {
-                if ((probe_marks_[probe] & mark) == 0) continue;
-                for (std::size_t i = probe * per_probe_; i < (probe + 1) * per_probe_; ++i) {
-                    if ((marks_[i] & mark) != 0) batch.push_back(i);
-                }
-                if (batch.size() < most_at_once) continue;
-                body(std::span<const std::size_t>(batch));
-                batch.clear();
+            std::size_t first = range.begin();
+            std::size_t marked = 0;
+            for (std::size_t probe = first; probe < range.end(); ++probe) {
+                if (probe_marks_[probe] != 0) marked += count(probe);
+                if (marked < enough) continue;
+                body(first, probe + 1);
+                first = probe + 1;
+                marked = 0;
             }
-            if (!batch.empty()) body(std::span<const std::size_t>(batch));
+            if (marked > 0) body(first, range.end());
         });
     }
+    /// Calls f(surfel) for those of a probe that have one of these marks.
+    template <typename Function>
+    void for_rays(std::size_t probe, std::uint8_t marks, const Function& f) const {
+        if ((probe_marks_[probe] & marks) == 0) return;
+        const std::uint64_t all = marks * 0x0101010101010101u;
+        for (std::size_t i = probe * per_probe_; i < (probe + 1) * per_probe_; i += sizeof all) {
+            std::uint64_t eight = 0;
+            std::memcpy(&eight, &marks_[i], sizeof eight);
+            if ((eight & all) == 0) continue;
+            for (std::size_t k = i; k < i + sizeof eight; ++k) {
+                if ((marks_[k] & marks) != 0) f(k);
+            }
+        }
+    }
+    /// Of the probes from `first` on and before `last`, the surfels that have this mark.
+    void find(std::size_t first, std::size_t last, Mark::Bit mark,
+              std::vector<std::size_t>& surfels) const;
 
  private:
+    std::size_t count(std::size_t probe) const;
+
     std::size_t per_probe_;
     std::vector<std::uint8_t> marks_;
     std::vector<std::uint8_t> probe_marks_;
