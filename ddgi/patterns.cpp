@@ -39,8 +39,8 @@ glm::vec3 sphere_direction(int i, int n, double slide, double turn) {
     return direction_at(cos_polar, 2. * pi * (std::fmod(golden * i, 1.) + turn));
 }
 
-/// The points of the sphere's lattice in an order in which each rays_in_block that follow each other
-/// point much the same way: bands of heights, each sorted by azimuth.
+/// The points of the sphere's lattice in an order in which each rays_in_block that follow each
+/// other point much the same way: bands of heights, each sorted by azimuth.
 std::vector<int> sphere_order(int n) {
     const int blocks = n / static_cast<int>(rays_in_block);
     // Of a band, which is 2 / bands high, as many blocks as make them as wide as high.

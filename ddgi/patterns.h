@@ -50,9 +50,9 @@ RayPattern thesis_pattern(int surfels);
 RayPattern even_pattern(int surfels);
 
 /// Rays that stand for equal solid angles 4 pi / surfels: one golden-ratio lattice on the whole
-/// sphere, in an order in which those of a block (see RayBlocks) point much the same way. With `shifted`, each probe turns it by its own azimuth and slides it by its own part of
-/// the lattice's step in height.
-/// `surfels` is a positive multiple of 8; throws UsageError otherwise.
+/// sphere, in an order in which those of a block (see RayBlocks) point much the same way. With
+/// `shifted`, each probe turns it by its own azimuth and slides it by its own part of the lattice's
+/// step in height. `surfels` is a positive multiple of 8; throws UsageError otherwise.
 RayPattern sphere_pattern(int surfels, bool shifted);
 
 /// The same rays turned together by rotation number `turn` of a sequence that is even over all

@@ -56,10 +56,11 @@ class SurfelCache {
     bool changed(std::size_t surfel) const { return marks_.of(surfel) != 0; }
     /// ... or of any of this probe's.
     bool probe_changed(std::size_t probe) const { return marks_.of_probe(probe) != 0; }
-    /// Calls f(surfel) for those surfels of a probe of which the last call may have changed anything.
+    /// Calls f(surfel) for those surfels of a probe of which the last call may have changed
+    /// anything.
     template <typename Function>
     void for_changed(std::size_t probe, const Function& f) const {
-        marks_.for_rays(probe, 0xff, f);
+        marks_.for_rays(probe, any_mark, f);
     }
     /// How many surfels are on a surface.
     std::uint64_t hits() const { return hits_; }

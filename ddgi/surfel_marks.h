@@ -21,6 +21,7 @@ struct Mark {
     };
 };
 
+constexpr std::uint8_t any_mark = 0xff;
 /// What a surfel calls for that is placed.
 constexpr std::uint8_t all_marks = Mark::Placed | Mark::Lit | Mark::Seen;
 
@@ -58,8 +59,8 @@ class SurfelMarks {
     void set_all();
     void clear();
 
-    /// Calls body(first, last) for ranges of probes, from first on and before last, in parallel: all
-    /// that have marks, with some hundred marked surfels or more at a time.
+    /// Calls body(first, last) for ranges of probes, from first on and before last, in parallel:
+    /// all that have marks, with some hundred marked surfels or more at a time.
     template <typename Body>
     void for_marked(const Body& body) const {
         constexpr std::size_t enough = 256;

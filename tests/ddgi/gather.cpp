@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <functional>
 #include <glm/gtc/constants.hpp>
+#include <numeric>
 #include <random>
 
 #include "ddgi/feedback_maps.h"
@@ -185,15 +188,34 @@ TEST_CASE("shifted patterns stay even and differ from probe to probe", "[ddgi]")
     const auto there = probe_directions(pattern, {4, 4, 5});
     CHECK(here != there);
     CHECK(here == probe_directions(pattern, {3, 4, 5}));
-    for (int i = 0; i < 64; ++i) {
+    std::vector<float> heights;
+    for (const glm::vec3& w : here) {
+        heights.push_back(w.y);
+        CHECK(glm::length(w) == Approx(1.f));
+    }
+    std::ranges::sort(heights, std::greater());
+    for (std::size_t i = 0; i < heights.size(); ++i) {
         // One ray in each of the 64 slices of equal area.
-        const float height = here[std::size_t(i)].y;
-        CHECK(height <= 1.f - 2.f * float(i) / 64.f + 1e-6f);
-        CHECK(height >= 1.f - 2.f * float(i + 1) / 64.f - 1e-6f);
-        CHECK(glm::length(here[std::size_t(i)]) == Approx(1.f));
+        CHECK(heights[i] <= 1.f - 2.f * float(i) / 64.f + 1e-6f);
+        CHECK(heights[i] >= 1.f - 2.f * float(i + 1) / 64.f - 1e-6f);
     }
     CHECK(probe_directions(sphere_pattern(64, false), {3, 4, 5}) ==
           sphere_pattern(64, false).directions);
+}
+
+TEST_CASE("the rays of a block point much the same way at every probe", "[ddgi]") {
+    const auto rays = GENERATE(64, 96, 256, 1000);
+    const RayPattern pattern = sphere_pattern(rays, true);
+    for (const glm::ivec3& cell : {glm::ivec3(0), glm::ivec3(3, 4, 5), glm::ivec3(20, 1, 7)}) {
+        const auto directions = probe_directions(pattern, cell);
+        for (std::size_t first = 0; first < directions.size(); first += rays_in_block) {
+            const auto block = std::span(directions).subspan(first, rays_in_block);
+            const glm::vec3 sum = std::accumulate(block.begin(), block.end(), glm::vec3(0.f));
+            // Of directions even over an octant of the sphere the mean is sqrt(3) / 2 long; of a
+            // ring around the equator it has no length.
+            CHECK(glm::length(sum) / float(rays_in_block) > .8f);
+        }
+    }
 }
 
 TEST_CASE("the weights of seen probes are the trilinear ones of these made to sum to one",
