@@ -78,6 +78,26 @@ TEST_CASE("the back of a surface is culled only if it is one-sided and culling i
     CHECK(tracer.occluded({0.1f, -2.f, 0.2f}, {0.1f, 2.f, 0.2f}));
 }
 
+TEST_CASE("of a mesh of several materials each triangle is culled by its own", "[scenes][rays]") {
+    Scene scene;
+    scene.name = "test";
+    scene.materials.resize(2);
+    scene.materials[1].two_sided = true;
+    Mesh mesh;
+    mesh.positions = {{0.f, 0.f, 0.f}, {0.f, 0.f, 1.f}, {1.f, 0.f, 0.f}, {1.f, 0.f, 1.f}};
+    mesh.triangles = {{0, 1, 2}, {2, 1, 3}};  // fronts up
+    mesh.triangle_materials = {0, 1};
+    scene.meshes = {mesh};
+    scene.objects = {object_of(MeshInstance{0})};
+    const World world = world_at(scene, 0);
+    const RayTracer tracer(world);
+    const glm::vec3 up(0.f, 1.f, 0.f);
+    CHECK_FALSE(tracer.intersect({{.2f, -1.f, .2f}, up}, BackFaces::Cull));
+    CHECK(tracer.intersect({{.8f, -1.f, .8f}, up}, BackFaces::Cull));
+    CHECK(tracer.intersect({{.2f, 1.f, .2f}, -up}, BackFaces::Cull));
+    CHECK(tracer.intersect({{.8f, 1.f, .8f}, -up}, BackFaces::Cull));
+}
+
 TEST_CASE("an inward sphere shows its front inside and its back outside", "[scenes][rays]") {
     const World world = world_of(object_of(Sphere{{1.f, 2.f, 3.f}, 2.f, true, 0}), {});
     const RayTracer tracer(world);
