@@ -65,6 +65,15 @@ std::uint64_t read_width(std::istream& file) {
     return right < left ? 0 : static_cast<std::uint64_t>(std::int64_t{right} - left + 1);
 }
 
+/// Pixels of a tile: its sides begin a tiledesc.
+std::uint64_t read_tile_area(std::istream& file) {
+    // Longer ones count as this: their product with the channels may need more than 64 bits, and is
+    // refused all the same.
+    constexpr std::uint32_t longest = 1 << 20;
+    const std::uint64_t width = std::min(read_number(file), longest);
+    return width * std::min(read_number(file), longest);
+}
+
 std::uint64_t size_of_preview(std::istream& file) {
     const std::uint64_t width = read_number(file);
     const std::uint64_t height = read_number(file);
@@ -76,6 +85,7 @@ std::uint64_t size_of_preview(std::istream& file) {
 /// What is known of one part.
 struct Part {
     std::uint64_t width = 0;
+    std::uint64_t tile_area = 0;
     std::uint64_t channels = 0;
 };
 
@@ -90,6 +100,7 @@ std::uint64_t read_value(std::istream& file, const std::string& name, std::strin
     }
     if (type == "preview") return size_of_preview(file);
     if (type == "box2i" && name == "dataWindow") part.width = read_width(file);
+    if (type == "tiledesc") part.tile_area = read_tile_area(file);
     const auto fixed = fixed_sizes.find(type);
     return fixed == fixed_sizes.end() ? announced : fixed->second;
 }
@@ -129,6 +140,7 @@ ExrHeader read_exr_header(const std::filesystem::path& path) {
             break;
         }
         header.values_in_row = std::max(header.values_in_row, part.width * part.channels);
+        header.values_in_tile = std::max(header.values_in_tile, part.tile_area * part.channels);
         file.clear();
         file.seekg(static_cast<std::streamoff>(begin + announced));
     }

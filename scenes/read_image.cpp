@@ -28,18 +28,22 @@ std::uint64_t most_values(const std::filesystem::path& path) {
 
 /// Refuses an EXR file whose headers alone would take more room than any picture may.
 void check_exr_header(const std::filesystem::path& path) {
-    constexpr std::uint64_t rows_at_once = 256;
     const ExrHeader header = read_exr_header(path);
     if (!header.fault.empty()) {
         throw ImageError(path.string(), "not a readable picture: " + printable(header.fault),
                          "write the file again");
     }
-    const std::uint64_t most = most_values(path) / rows_at_once;
-    if (header.values_in_row > most) {
-        throw ImageError(path.string(),
-                         fmt::format("{} values in a row are too many", header.values_in_row),
-                         fmt::format("at most {} are read from a file of this size", most));
-    }
+    const auto check = [&](std::uint64_t values, const char* what, std::uint64_t at_once) {
+        const std::uint64_t most = most_values(path) / at_once;
+        if (values <= most) return;
+        throw ImageError(
+            path.string(), fmt::format("a {} of it holds too many values", what),
+            fmt::format("at most {} of a {} are read from a file of this size", most, what));
+    };
+    constexpr std::uint64_t rows_at_once = 256;
+    constexpr std::uint64_t tiles_at_once = 32;  // two a thread, packed, unpacked and as floats
+    check(header.values_in_row, "row", rows_at_once);
+    check(header.values_in_tile, "tile", tiles_at_once);
 }
 
 /// Refuses a part that is no plain picture, or that does not fit beside the values that are held
