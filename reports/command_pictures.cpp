@@ -59,10 +59,11 @@ void check(const Options& options) {
     if (options.shadow_rays < 1)
         throw UsageError("--shadow-rays", fmt::format("{} rays", options.shadow_rays),
                          "give 1 or more");
-    if (!(options.light_radius >= 0.f && options.light_radius <= farthest_place))
+    if (options.light_radius != 0.f &&
+        !(options.light_radius >= smallest_size && options.light_radius <= farthest_place))
         throw UsageError("--light-radius", fmt::format("{}", options.light_radius),
-                         fmt::format("give a length from 0 to {:g}, in the scene's unit",
-                                     farthest_place));
+                         fmt::format("give 0, or a length from {:g} to {:g} in the scene's unit",
+                                     smallest_size, farthest_place));
 }
 
 /// The layers that a picture without probes shows: direct light, and ambient where there is some.

@@ -136,7 +136,7 @@ void add_moved(std::vector<HardCase>& cases, float distance) {
 }  // namespace
 
 void add_scale_cases(std::vector<HardCase>& cases) {
-    for (const float scale : {1e-4f, 1.f, 1e4f}) add_scaled(cases, scale);
+    for (const float scale : {1e-6f, 1e-4f, 1.f, 1e4f, 1e9f}) add_scaled(cases, scale);
     for (const float distance : {1e3f, 1e5f, 1e6f}) add_moved(cases, distance);
 }
 

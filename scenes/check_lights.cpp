@@ -26,8 +26,10 @@ void check_light(const PointLight& light, const Checked& checked) {
     checked.expect_finite("position", light.position);
     checked.expect_not_negative("intensity", light.intensity);
     checked.expect_not_negative("white_radiance", light.white_radiance);
-    if (!(light.radius >= 0.f && finite(light.radius))) {
-        checked.fail("radius", fmt::format("is {:g}", light.radius), "it is 0 or more");
+    // Below, the radiance of its surface, intensity / (pi radius^2), leaves a float's range.
+    if (light.radius != 0.f && !(light.radius >= smallest_size && finite(light.radius))) {
+        checked.fail("radius", fmt::format("is {:g}", light.radius),
+                     fmt::format("it is 0, or {:g} or more", smallest_size));
     }
     if (!light.cone) return;
     if (light.radius > 0.f) checked.fail("radius", "does not go with a spot", "leave it out");

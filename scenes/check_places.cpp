@@ -72,14 +72,22 @@ void check_object_places(const Scene& scene, const PlaceOf& place_of) {
     std::vector<double> of_meshes;
     for (const Mesh& mesh : scene.meshes) of_meshes.push_back(largest(mesh.positions, length_of));
     std::vector<Placing> placings;
+    double farthest = 0.;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const Placing parent =
             object.parent == -1 ? Placing{} : placings[std::size_t(object.parent)];
         const Placing& own = placings.emplace_back(placing_of(object, parent));
-        expect_near(own.offset + own.stretch * std::visit(ShapeReach{of_meshes}, object.shape), "",
-                    Checked(place_of, "objects", i));
+        const double reach =
+            own.offset + own.stretch * std::visit(ShapeReach{of_meshes}, object.shape);
+        expect_near(reach, "", Checked(place_of, "objects", i));
+        farthest = std::max(farthest, reach);
     }
+    if (farthest == 0. || farthest >= nearest_reach) return;
+    Checked(place_of, "objects", 0)
+        .fail("", fmt::format("this and all others reach {:.2g} from the origin at most", farthest),
+              fmt::format("surfaces are surely met in scenes that reach {:g}: scale the scene up",
+                          nearest_reach));
 }
 
 }  // namespace

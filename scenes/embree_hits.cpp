@@ -54,7 +54,7 @@ PLUMBLINE_WIDE void meet_triangles(const Lanes3& direction, const EmbreeScene::F
         const glm::vec3 a = corner_a[i], b = corner_b[i], c = corner_c[i];
         hits.position.set(i, interpolate(a, b, c, found.u[i], found.v[i]));
         hits.position_error[i] = triangle_error(a, b, c);
-        const glm::vec3 ng = glm::normalize(found.ng[i]);
+        const glm::vec3 ng = unit_length(found.ng[i]);
         const bool back = glm::dot(ng, direction[i]) > 0.f;
         hits.back[i] = back ? 1 : 0;
         hits.n.set(i, back ? -ng : ng);
@@ -73,7 +73,7 @@ Hit EmbreeScene::triangle_hit(const WorldMesh& mesh, const Found& found) const {
     hit.material = mesh.triangle_materials[found.primitive];
     hit.position = interpolate(a, b, c, found.u, found.v);
     hit.position_error = triangle_error(a, b, c);
-    hit.ng = glm::normalize(found.ng);
+    hit.ng = unit_length(found.ng);
     const Material& material = world_.materials[static_cast<std::size_t>(hit.material)];
     hit.albedo = material.albedo;
     const auto between_corners = [&](const auto& values) {

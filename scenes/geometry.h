@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
 
@@ -11,6 +14,18 @@ using Spectrum = glm::vec3;
 
 inline float max_component(const glm::vec3& v) { return glm::max(v.x, glm::max(v.y, v.z)); }
 inline float min_component(const glm::vec3& v) { return glm::min(v.x, glm::min(v.y, v.z)); }
+
+/// `v` at unit length, to the bit as glm::normalize gives it, but of any length. The square, which
+/// that takes, is out of a float's range for normals of triangles with sides below 1e-9 or above
+/// 1e9: so `v` is scaled by a power of two first, which rounds nothing.
+inline glm::vec3 unit_length(const glm::vec3& v) {
+    constexpr std::uint32_t exponent_bits = 0x7f800000;
+    constexpr std::uint32_t inverse_of = 254u << 23;            // 2^e in its bits is 2^-e
+    constexpr std::uint32_t largest_with_inverse = 253u << 23;  // of which that is no zero
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(max_component(glm::abs(v)));
+    const std::uint32_t exponent = std::min(bits & exponent_bits, largest_with_inverse);
+    return glm::normalize(v * std::bit_cast<float>(inverse_of - exponent));
+}
 
 /// A ray o + t d with 0 < t < t_max; `direction` has unit length unless a function says otherwise.
 struct Ray {

@@ -81,9 +81,9 @@ void check_camera(const Camera& camera, const PlaceOf& place_of) {
 void check_probes(const ProbeGrid& probes, const PlaceOf& place_of) {
     const Checked checked(place_of, "probes");
     checked.expect_finite("origin", probes.origin);
-    if (!(probes.spacing > 0.f) || !finite(probes.spacing)) {
+    if (!(probes.spacing >= smallest_size) || !finite(probes.spacing)) {
         checked.fail("spacing", fmt::format("is {:g}", probes.spacing),
-                     "the distance between probes is above 0");
+                     fmt::format("the distance between probes is {:g} or more", smallest_size));
     }
     const glm::dvec3 counts(probes.counts);
     if (glm::any(glm::lessThan(probes.counts, glm::ivec3(1))) ||

@@ -15,10 +15,19 @@ constexpr int max_pixels = 1 << 28;
 constexpr int max_frames = 10'000'000;
 constexpr int max_probes = 100'000'000;
 
-/// How far from the origin a scene may reach, in its unit of length. Embree stops the program at
-/// rays that start, or go on for, more than 1.8e18, and leaves out triangles there; squares of
-/// distances and their products stay finite too.
-constexpr float farthest_place = 1e17f;
+/// How far from the origin a scene may reach, in its unit of length. Embree's test of a triangle
+/// multiplies three lengths (a corner's place, and the sides in the normal), which must stay within
+/// a float; beyond 1.8e18 it stops the program.
+constexpr float farthest_place = 1e12f;
+
+/// How far from the origin a scene with any shape reaches at least. Embree takes a triangle's
+/// normal, the product of two sides, along a ray to be 1e-18 where it is less: sides of 1e-9 are
+/// met in the wrong place or not at all.
+constexpr float nearest_reach = 1e-6f;
+
+/// Objects from this size on, and triangles with such sides, are met wherever a ray reaches them
+/// but level with their surface; of lengths below, a scene's size is told no longer.
+constexpr float smallest_size = 1e-8f;
 
 /// Tells where a part of a scene stands in its file, for messages: `list` is "objects",
 /// "materials", "meshes", "lights", "camera", "probes", ...; `index` counts in that list of the

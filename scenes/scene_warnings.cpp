@@ -9,6 +9,7 @@
 #include "scenes/inspection.h"
 #include "scenes/nearest_name.h"
 #include "scenes/nearest_point.h"
+#include "scenes/scene_checks.h"
 
 namespace plumbline {
 namespace {
@@ -17,20 +18,31 @@ std::string many(std::size_t count, const char* one, const char* several) {
     return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
+/// Embree takes shorter normals, the products of two sides, for as long as this.
+constexpr double least_normal = 1e-18;
+
 void warn_of_triangles(const World& world, std::vector<std::string>& warnings) {
     for (const WorldMesh& mesh : world.meshes) {
-        std::size_t without_area = 0;
+        std::size_t without_area = 0, too_thin = 0;
         for (const glm::uvec3& t : mesh.triangles) {
             // In double, where the products of floats neither round nor underflow.
             const glm::dvec3 a(mesh.positions[t.x]);
             const glm::dvec3 u = glm::dvec3(mesh.positions[t.y]) - a;
             const glm::dvec3 v = glm::dvec3(mesh.positions[t.z]) - a;
-            without_area += glm::length(glm::cross(u, v)) == 0. ? 1 : 0;
+            const double normal = glm::length(glm::cross(u, v));
+            without_area += normal == 0. ? 1 : 0;
+            too_thin += normal > 0. && normal < least_normal ? 1 : 0;
         }
         const std::string who = in_quotes(world.objects[std::size_t(mesh.object)].name);
         if (without_area > 0) {
             warnings.push_back(fmt::format("{} has {} without area: nothing can hit them", who,
                                            many(without_area, "triangle", "triangles")));
+        }
+        if (too_thin > 0) {
+            warnings.push_back(
+                fmt::format("{} has {} of an area below {:g}: rays meet them in the wrong place or "
+                            "not at all; scale the scene up",
+                            who, many(too_thin, "triangle", "triangles"), least_normal / 2.));
         }
     }
 }
@@ -54,6 +66,11 @@ void warn_of_precision(const World& world, std::vector<std::string>& warnings) {
             smallest = size;
             which = object.name;
         }
+    }
+    if (smallest < smallest_size) {
+        warnings.push_back(
+            fmt::format("{} is {:.2g} across: rays may miss what is below {:g}; scale the scene up",
+                        in_quotes(which), smallest, smallest_size));
     }
     if (step > coarsest * smallest) {
         warnings.push_back(fmt::format(

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scenes/errors.h"
+#include "scenes/scene_checks.h"
 #include "scenes/tessellate.h"
 
 namespace plumbline {
@@ -130,7 +131,7 @@ ProbeGrid probe_grid(const Scene& scene) {
     // A cell count near the thesis's (20 along an axis), at a fifth of its probes.
     constexpr float cells_along_longest_axis = 12.f;
     const float longest = max_component(bounds.size());
-    const float spacing = longest > 0.f ? longest / cells_along_longest_axis : 1.f;
+    const float spacing = longest >= smallest_size ? longest / cells_along_longest_axis : 1.f;
     const Bounds grown = bounds.grown(spacing / 2.f);
     const glm::ivec3 counts = glm::ivec3(glm::ceil(grown.size() / spacing)) + 1;
     return {(grown.lower + grown.upper - glm::vec3(counts - 1) * spacing) / 2.f, spacing, counts};

@@ -132,3 +132,24 @@ TEST_CASE("inspect warns of triangles without area and of coordinates too large"
           "coordinates reach 1e+07, where a float's steps are 1: that is 0.5 of the size of "
           "\"sliver\" (2); move the scene to the origin");
 }
+
+TEST_CASE("inspect warns of what is too small for rays to meet, and gives it a grid all the same",
+          "[scenes][commands]") {
+    const TemporaryFolder folder;
+    // A step of a float high, so that it has a size, and none that probes could be spread over.
+    folder.write("s.json", R"({"name": "dust", "materials": [{"name": "m", "albedo": 0.5}],
+        "objects": [{"name": "mote", "mesh": {
+            "positions": [[0, 0, 1], [0, 1e-45, 1], [1e-10, 0, 1]],
+            "triangles": [[0, 1, 2]], "material": "m"}}],
+        "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}})");
+    const auto json = nlohmann::json::parse(run(folder, "inspect s.json --json").out);
+    REQUIRE(json["warnings"].size() >= 2);
+    CHECK(
+        json["warnings"][0] ==
+        "\"mote\" has 1 triangle of an area below 5e-19: rays meet them in the wrong place or not "
+        "at all; scale the scene up");
+    CHECK(json["warnings"][1] ==
+          "\"mote\" is 1e-10 across: rays may miss what is below 1e-08; scale the scene up");
+    CHECK(json["probes"]["spacing"] == 1.);
+    CHECK(json["probes"]["counts"] == nlohmann::json({2, 2, 2}));
+}
