@@ -14,6 +14,7 @@
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
 #include "scenes/option_values.h"
+#include "scenes/output_path.h"
 #include "scenes/progress.h"
 #include "scenes/whole_file.h"
 
@@ -147,6 +148,7 @@ void run_sequence(const CompareOptions& options, const std::vector<Threshold>& t
 
 void run(const CompareOptions& options) {
     const auto threads = options.common.apply();
+    if (!options.folder.empty()) check_output_folder(options.folder);
     std::vector<Threshold> thresholds;
     for (const std::string& text : options.fail_above) thresholds.push_back(parse_threshold(text));
     if (is_sequence(options.reference) || is_sequence(options.test))

@@ -12,6 +12,7 @@
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
 #include "scenes/option_values.h"
+#include "scenes/output_path.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -28,13 +29,6 @@ struct Arguments {
     bool no_cache = false;
     bool json = false;
 };
-
-/// Told before the work is done for a picture that cannot be kept.
-void check_output(const std::string& output) {
-    if (std::filesystem::path(output).extension() == ".exr") return;
-    throw UsageError("--output", fmt::format("'{}' is not an EXR file", output),
-                     "give a name that ends in .exr");
-}
 
 std::pair<std::string, double> parse_constant(const std::string& text) {
     const std::size_t equals = text.find('=');
@@ -84,7 +78,7 @@ nlohmann::ordered_json json_of(const DdgiResult& result, const DdgiOptions& opti
 }
 
 void run(Arguments& arguments) {
-    check_output(arguments.output);
+    check_output_picture(arguments.output);
     for (const std::string& text : arguments.set) arguments.ddgi.set.insert(parse_constant(text));
     arguments.ddgi.gi = arguments.gi;
     arguments.ddgi.cache = !arguments.no_cache;

@@ -6,6 +6,7 @@
 #include "pathtracer/commands.h"
 #include "pathtracer/merge.h"
 #include "scenes/command_line.h"
+#include "scenes/output_path.h"
 
 namespace plumbline::pathtracer {
 
@@ -20,6 +21,7 @@ void add_merge_command(CLI::App& app) {
         ->required();
     command.add_option("-o,--output", arguments->output, "EXR file to write")->required();
     command.callback([arguments] {
+        check_output_picture(arguments->output);
         const Image image = merge(arguments->shards);
         write_exr(arguments->output, image);
         fmt::print(stderr, "{}: {} shards, {} samples a pixel, {} s in all\n", arguments->output,

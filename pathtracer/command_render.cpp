@@ -13,9 +13,9 @@
 #include "pathtracer/provenance.h"
 #include "pathtracer/render.h"
 #include "scenes/command_line.h"
-#include "scenes/errors.h"
 #include "scenes/inspection.h"
 #include "scenes/option_values.h"
+#include "scenes/output_path.h"
 
 namespace plumbline::pathtracer {
 namespace {
@@ -28,13 +28,6 @@ struct Arguments {
     std::string output;
     bool json = false;
 };
-
-/// Told before hours are spent on a picture that cannot be kept.
-void check_output(const std::string& output) {
-    if (std::filesystem::path(output).extension() == ".exr") return;
-    throw UsageError("--output", fmt::format("'{}' is not an EXR file", output),
-                     "give a name that ends in .exr");
-}
 
 void print_json(const Scene& scene, const BounceLimit& limit, const RenderResult& result) {
     nlohmann::ordered_json json;
@@ -79,13 +72,16 @@ void tell(const RenderResult& result, const std::string& output) {
 }
 
 void run(Arguments& arguments) {
-    check_output(arguments.output);
+    check_output_picture(arguments.output);
     const auto limits = arguments.common.apply();
     const Scene scene = load_scene_for(arguments.scene, arguments.common);
     const Interrupts interrupts;
     CheckpointOptions& checkpoints = arguments.checkpoints;
     checkpoints.file = arguments.output + ".checkpoint";
     checkpoints.interrupted = [] { return Interrupts::received() != 0; };
+    checkpoints.not_written = [](const std::string& line) {
+        fmt::print(stderr, "plumbline: {}; the render goes on\n", line);
+    };
     const int frame = frame_of(scene, arguments.common);
     const std::optional<RenderResult> result = render(scene, frame, arguments.render, checkpoints);
     if (!result) {

@@ -61,9 +61,15 @@ class Keeper {
     bool interrupted() const { return !options_.file.empty() && options_.interrupted(); }
     bool due() const { return !options_.file.empty() && watch_.seconds() >= next_; }
 
+    /// Throws ImageError if that fails and the render was interrupted: then nothing else is left.
     void keep(const Passes& passes, double seconds) {
         const double start = watch_.seconds();
-        write_checkpoint(options_.file, {passes.gathered(), seconds}, provenance_);
+        try {
+            write_checkpoint(options_.file, {passes.gathered(), seconds}, provenance_);
+        } catch (const ImageError& error) {
+            if (interrupted()) throw;
+            options_.not_written(error.what());
+        }
         constexpr double most_of_the_time = .05;
         const double end = watch_.seconds();
         next_ = end + std::max(options_.every_seconds, (end - start) / most_of_the_time);

@@ -37,6 +37,8 @@ struct CheckpointOptions {
     double every_seconds = 60.;  ///< or less often, so that writing takes 5 % of the time at most
     bool resume = false;         ///< go on from `file` if it is there; else it must not be there
     std::function<bool()> interrupted = [] { return false; };  ///< called by all threads
+    /// Told what keeps the file from being written; the render goes on, and tries again later.
+    std::function<void(const std::string& line)> not_written = [](const std::string&) {};
 };
 
 /// Samples whose radiance is not finite. They are kept, so that their pixels show it.

@@ -12,6 +12,7 @@
 #include "reports/words.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
+#include "scenes/output_path.h"
 
 namespace plumbline {
 
@@ -34,7 +35,7 @@ struct Options {
 };
 
 void check(const Options& options) {
-    reports::check_folder(options.folder);
+    check_output_folder(options.folder);
     if (!options.references.empty() && options.references.size() != options.scenes.size())
         throw UsageError(
             "--reference",

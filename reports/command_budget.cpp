@@ -11,6 +11,7 @@
 #include "reports/picture_size.h"
 #include "reports/words.h"
 #include "scenes/command_line.h"
+#include "scenes/output_path.h"
 
 namespace plumbline {
 
@@ -39,7 +40,7 @@ std::string command_of(const Options& options, const Camera& camera) {
 
 void run(const Options& options) {
     const auto threads = options.common.apply();
-    reports::check_folder(options.folder);
+    check_output_folder(options.folder);
     Scene scene = load_scene_for(options.scene, options.common);
     reports::set_default_size(scene.camera, options.common, default_pixels);
     const reports::BudgetStudy study = reports::measure_budget(scene, options.budget);

@@ -10,6 +10,7 @@
 #include "reports/output_folder.h"
 #include "reports/words.h"
 #include "scenes/command_line.h"
+#include "scenes/output_path.h"
 
 namespace plumbline {
 
@@ -32,7 +33,7 @@ std::string command_of(const Options& options) {
 
 void run(const Options& options) {
     const auto threads = options.common.apply();
-    reports::check_folder(options.folder);
+    check_output_folder(options.folder);
     const Scene scene = load_scene_for(options.scene, options.common);
     const reports::CostStudy study = reports::measure_cost(scene, options.cost);
     const std::string results = reports::cost_json(study, scene.name).dump(2) + "\n";

@@ -14,6 +14,7 @@
 #include "reports/picture_size.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
+#include "scenes/output_path.h"
 #include "scenes/progress.h"
 #include "scenes/whole_file.h"
 
@@ -168,6 +169,7 @@ void run(const FitOptions& options) {
         throw UsageError("fit",
                          options.layers.empty() ? "nothing to fit" : "scenes beside --layers",
                          "name scenes, or image layers with --layers, not both");
+    if (!options.folder.empty()) check_output_folder(options.folder);
     if (options.layers.empty())
         run_scenes(options);
     else

@@ -11,6 +11,7 @@
 #include "reports/picture_size.h"
 #include "reports/words.h"
 #include "scenes/command_line.h"
+#include "scenes/output_path.h"
 
 namespace plumbline {
 
@@ -56,7 +57,7 @@ std::string command_of(const Options& options) {
 
 void run(const Options& options) {
     const auto threads = options.common.apply();
-    reports::check_folder(options.folder);
+    check_output_folder(options.folder);
     Scene scene = load_scene_for(options.scene, options.common);
     const int frame = options.common.frame ? frame_of(scene, options.common) : scene.report_frame;
     const reports::FrontierOptions measured{options.effort().spp,

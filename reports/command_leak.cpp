@@ -9,6 +9,7 @@
 #include "reports/output_folder.h"
 #include "reports/words.h"
 #include "scenes/command_line.h"
+#include "scenes/output_path.h"
 
 namespace plumbline {
 
@@ -29,7 +30,7 @@ std::string command_of(const Options& options) {
 
 void run(Options& options) {
     const auto threads = options.common.apply();
-    reports::check_folder(options.folder);
+    check_output_folder(options.folder);
     options.leak.width = options.common.width.value_or(options.leak.width);
     options.leak.height = options.common.height.value_or(options.leak.height);
     const auto curves = reports::measure_leak(reports::leak_cases(), options.leak);

@@ -15,8 +15,7 @@
 #include "reports/words.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
-#include "scenes/scene_checks.h"
-#include "scenes/errors.h"
+#include "scenes/output_path.h"
 #include "scenes/scene_checks.h"
 
 namespace plumbline {
@@ -55,7 +54,7 @@ int first_figure(const std::string& scene, const Shadows& shadows) {
 }
 
 void check(const Options& options) {
-    reports::check_folder(options.folder);
+    check_output_folder(options.folder);
     if (options.shadow_rays < 1)
         throw UsageError("--shadow-rays", fmt::format("{} rays", options.shadow_rays),
                          "give 1 or more");

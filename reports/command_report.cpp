@@ -18,8 +18,8 @@
 #include "reports/words.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
+#include "scenes/output_path.h"
 #include "scenes/scene_files.h"
-#include "scenes/whole_file.h"
 
 namespace plumbline {
 
@@ -101,9 +101,10 @@ void measure_constants(reports::Report& report, const std::vector<Subject>& subj
 
 void run(const Options& options) {
     const std::shared_ptr<void> threads = options.common.apply();
-    reports::check_folder(options.folder);
+    check_output_folder(options.folder);
     const std::filesystem::path published =
         options.publish ? published_file(options) : std::filesystem::path();
+    if (options.publish) check_output_file(published);
     const reports::Quality quality = reports::quality_of(options.quick);
     std::vector<Subject> subjects;
     double work = 0;
@@ -129,8 +130,7 @@ void run(const Options& options) {
     }
     const std::string results = reports::results_json(report).dump(2) + "\n";
     const std::string page = reports::page_html(report);
-    write_text(options.folder / "results.json", results);
-    write_text(options.folder / "index.html", page);
+    reports::write_folder(options.folder, {{"results.json", results}, {"index.html", page}});
     if (options.publish)
         reports::write_folder(published.parent_path(),
                               reports::published_files(report, published.filename().string()));

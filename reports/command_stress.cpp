@@ -13,6 +13,7 @@
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
 #include "scenes/nearest_name.h"
+#include "scenes/output_path.h"
 
 namespace plumbline {
 namespace {
@@ -36,7 +37,7 @@ std::string page_of(const std::vector<reports::CaseResult>& results, const Stres
 
 void run(const StressOptions& options) {
     const auto threads = options.common.apply();
-    if (!options.folder.empty()) reports::check_folder(options.folder);
+    if (!options.folder.empty()) check_output_folder(options.folder);
     std::vector<reports::HardCase> cases = reports::hard_cases();
     std::erase_if(cases, [&](const reports::HardCase& hard_case) {
         return hard_case.name.find(options.only) == std::string::npos &&

@@ -11,9 +11,6 @@ namespace plumbline::reports {
 /// Files of a study by name, each with its bytes.
 using FolderFiles = std::vector<std::pair<std::string, std::string>>;
 
-/// Throws UsageError if the path is a file: told before minutes of work, not after.
-void check_folder(const std::filesystem::path& folder);
-
 /// Writes every file whole, under temporary names first: if one cannot be written, none replaces
 /// what was there. Makes the folder. Throws ImageError.
 void write_folder(const std::filesystem::path& folder, const FolderFiles& files);
