@@ -42,7 +42,7 @@ glm::mat3 axes_of(const glm::mat4& to_world) {
     const glm::vec3 z = glm::cross(x, glm::vec3(to_world[1]));
     const float area = glm::length(z);
     if (!(area > 0.f) || !std::isfinite(area)) return glm::mat3(1.f);
-    const glm::vec3 unit_x = glm::normalize(x);
+    const glm::vec3 unit_x = unit_length(x);
     const glm::vec3 unit_z = z / area;
     return {unit_x, glm::cross(unit_z, unit_x), unit_z};
 }

@@ -171,7 +171,7 @@ Picture take_picture(const RayTracer& tracer, const ProbeModel& model, const Pro
                     volume,
                     options,
                     CameraRays(camera),
-                    glm::normalize(camera.target - camera.eye)};
+                    unit_length(camera.target - camera.eye)};
     Picture picture{Image(camera.width, camera.height), 0};
     const bool ambient = model.ambient(Spectrum(1.f)) != Spectrum(0.f);
     Layers layers(picture.image, volume != nullptr, ambient);

@@ -60,7 +60,7 @@ Passes::Passes(const RayTracer& tracer, Effects effects, const PathOptions& opti
       options_(options),
       seed_(seed),
       camera_rays_(tracer.world().camera),
-      forward_(glm::normalize(tracer.world().camera.target - tracer.world().camera.eye)),
+      forward_(unit_length(tracer.world().camera.target - tracer.world().camera.eye)),
       parts_(parts_of(tracer.world().camera, shard, sampling)) {
     const Camera& camera = tracer.world().camera;
     if (emitters_ && !emitters_->empty()) options_.emitters = emitters_.get();

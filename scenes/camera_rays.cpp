@@ -6,8 +6,8 @@
 namespace plumbline {
 
 CameraRays::CameraRays(const Camera& camera) : eye_(camera.eye) {
-    const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
-    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::vec3 forward = unit_length(camera.target - camera.eye);
+    const glm::vec3 right = unit_length(glm::cross(forward, near_unit_length(camera.up)));
     const glm::vec3 up = glm::cross(right, forward);
     const auto width = static_cast<float>(camera.width);
     const auto height = static_cast<float>(camera.height);

@@ -15,17 +15,21 @@ using Spectrum = glm::vec3;
 inline float max_component(const glm::vec3& v) { return glm::max(v.x, glm::max(v.y, v.z)); }
 inline float min_component(const glm::vec3& v) { return glm::min(v.x, glm::min(v.y, v.z)); }
 
-/// `v` at unit length, to the bit as glm::normalize gives it, but of any length. The square, which
-/// that takes, is out of a float's range for normals of triangles with sides below 1e-9 or above
-/// 1e9: so `v` is scaled by a power of two first, which rounds nothing.
-inline glm::vec3 unit_length(const glm::vec3& v) {
+/// `v` times a power of two, which rounds nothing, so that its largest component is 1 to 2 (or less
+/// if it was no normal number). Squares and products of such vectors are in a float's range, where
+/// those of vectors shorter than 1e-19 or longer than 1e19 are not.
+inline glm::vec3 near_unit_length(const glm::vec3& v) {
     constexpr std::uint32_t exponent_bits = 0x7f800000;
     constexpr std::uint32_t inverse_of = 254u << 23;            // 2^e in its bits is 2^-e
     constexpr std::uint32_t largest_with_inverse = 253u << 23;  // of which that is no zero
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(max_component(glm::abs(v)));
     const std::uint32_t exponent = std::min(bits & exponent_bits, largest_with_inverse);
-    return glm::normalize(v * std::bit_cast<float>(inverse_of - exponent));
+    return v * std::bit_cast<float>(inverse_of - exponent);
 }
+
+/// `v` at unit length, to the bit as glm::normalize gives it, but of any length; that squares it.
+/// Normals of triangles with sides below 1e-9 or above 1e9 are too short or long for that.
+inline glm::vec3 unit_length(const glm::vec3& v) { return glm::normalize(near_unit_length(v)); }
 
 /// A ray o + t d with 0 < t < t_max; `direction` has unit length unless a function says otherwise.
 struct Ray {

@@ -85,8 +85,8 @@ OrderedJson gltf_camera(const Camera& camera) {
 
 OrderedJson gltf_camera_node(const Camera& camera) {
     // A glTF camera looks along -z of its node.
-    const glm::vec3 z = glm::normalize(camera.eye - camera.target);
-    const glm::vec3 x = glm::normalize(glm::cross(camera.up, z));
+    const glm::vec3 z = unit_length(camera.eye - camera.target);
+    const glm::vec3 x = unit_length(glm::cross(near_unit_length(camera.up), z));
     const glm::quat rotation = glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)));
     return {{"name", "camera"},
             {"rotation", shortest(rotation)},

@@ -41,9 +41,9 @@ std::optional<Camera> exact_camera(const JsonView& item, const Camera& seen) {
     exact.vertical_fov = seen.vertical_fov;
     constexpr float rounding = 1e-4f;
     const float reach = 1.f + glm::length(exact.eye) + glm::length(exact.target);
-    const glm::vec3 view = glm::normalize(exact.target - exact.eye);
+    const glm::vec3 view = unit_length(exact.target - exact.eye);
     const bool moved = glm::distance(exact.eye, seen.eye) > rounding * reach;
-    const bool turned = glm::distance(view, glm::normalize(seen.target - seen.eye)) > rounding;
+    const bool turned = glm::distance(view, unit_length(seen.target - seen.eye)) > rounding;
     return moved || turned ? std::nullopt : std::optional(exact);
 }
 

@@ -25,8 +25,7 @@ glm::vec3 direction_of(const JsonView& item, const GltfCarrier& at) {
     if (!exact) return seen;
     constexpr float rounding = 1e-5f;
     const glm::vec3 direction = exact->vec3();
-    const bool turned =
-        !(glm::distance(glm::normalize(direction), glm::normalize(seen)) <= rounding);
+    const bool turned = !(glm::distance(unit_length(direction), unit_length(seen)) <= rounding);
     return turned ? seen : direction;
 }
 

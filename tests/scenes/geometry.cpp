@@ -3,7 +3,10 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
+
+#include "scenes/camera_rays.h"
 
 using namespace plumbline;
 
@@ -60,4 +63,17 @@ TEST_CASE("a vector that is no number has no unit vector", "[scenes]") {
     CHECK(std::isnan(unit_length({none, 1.f, 1.f}).x));
     CHECK(std::isnan(unit_length({1.f, 1.f, none}).x));
     CHECK(std::isnan(unit_length(glm::vec3(0.f)).x));
+}
+
+TEST_CASE("a camera's rays do not depend on how long its view and its up are", "[scenes]") {
+    const int view = GENERATE(-120, -60, 0, 30), up = GENERATE(-120, -60, 60, 120);
+    Camera plain;
+    plain.eye = glm::vec3(0.f);
+    plain.target = {.3f, -.2f, .9f};
+    plain.up = {.1f, 1.f, .05f};
+    Camera camera = plain;
+    camera.target = {std::ldexp(.3f, view), std::ldexp(-.2f, view), std::ldexp(.9f, view)};
+    camera.up = {std::ldexp(.1f, up), std::ldexp(1.f, up), std::ldexp(.05f, up)};
+    const glm::vec3 expected = CameraRays(plain).through(3.f, 5.f).direction;
+    CHECK(CameraRays(camera).through(3.f, 5.f).direction == expected);
 }
