@@ -20,13 +20,13 @@ constexpr int max_probes = 100'000'000;
 /// a float; beyond 1.8e18 it stops the program.
 constexpr float farthest_place = 1e12f;
 
-/// How far from the origin a scene with any shape reaches at least. Embree takes a triangle's
-/// normal, the product of two sides, along a ray to be 1e-18 where it is less: sides of 1e-9 are
-/// met in the wrong place or not at all.
+/// How far from the origin a scene with any shape reaches at least. Where a triangle's normal, the
+/// product of two sides, is below 1e-18 along a ray, Embree puts the hit to the first corner: with
+/// sides of 1e-9 it nearly always is.
 constexpr float nearest_reach = 1e-6f;
 
-/// Objects from this size on, and triangles with such sides, are met wherever a ray reaches them
-/// but level with their surface; of lengths below, a scene's size is told no longer.
+/// Objects from this size on, and triangles with such sides, are met where they are, unless nearly
+/// edge-on. What is smaller has no size that counts.
 constexpr float smallest_size = 1e-8f;
 
 /// Tells where a part of a scene stands in its file, for messages: `list` is "objects",

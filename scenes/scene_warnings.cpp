@@ -18,7 +18,7 @@ std::string many(std::size_t count, const char* one, const char* several) {
     return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
-/// Embree takes shorter normals, the products of two sides, for as long as this.
+/// Where normals, the products of two sides, are shorter, Embree puts hits to the first corner.
 constexpr double least_normal = 1e-18;
 
 void warn_of_triangles(const World& world, std::vector<std::string>& warnings) {
@@ -40,8 +40,8 @@ void warn_of_triangles(const World& world, std::vector<std::string>& warnings) {
         }
         if (too_thin > 0) {
             warnings.push_back(
-                fmt::format("{} has {} of an area below {:g}: rays meet them in the wrong place or "
-                            "not at all; scale the scene up",
+                fmt::format("{} has {} of an area below {:g}: all hits are put to a "
+                            "corner; scale the scene up",
                             who, many(too_thin, "triangle", "triangles"), least_normal / 2.));
         }
     }

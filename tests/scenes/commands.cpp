@@ -144,10 +144,9 @@ TEST_CASE("inspect warns of what is too small for rays to meet, and gives it a g
         "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}})");
     const auto json = nlohmann::json::parse(run(folder, "inspect s.json --json").out);
     REQUIRE(json["warnings"].size() >= 2);
-    CHECK(
-        json["warnings"][0] ==
-        "\"mote\" has 1 triangle of an area below 5e-19: rays meet them in the wrong place or not "
-        "at all; scale the scene up");
+    CHECK(json["warnings"][0] ==
+          "\"mote\" has 1 triangle of an area below 5e-19: all hits are put to a corner; "
+          "scale the scene up");
     CHECK(json["warnings"][1] ==
           "\"mote\" is 1e-10 across: rays may miss what is below 1e-08; scale the scene up");
     CHECK(json["probes"]["spacing"] == 1.);
