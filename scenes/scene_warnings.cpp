@@ -47,6 +47,21 @@ void warn_of_triangles(const World& world, std::vector<std::string>& warnings) {
     }
 }
 
+/// The smallest object that has a size, infinite if none has.
+struct Smallest {
+    float size = std::numeric_limits<float>::infinity();
+    std::string name;
+};
+
+Smallest smallest_object(const World& world) {
+    Smallest smallest;
+    for (const World::Object& object : world.objects) {
+        const float size = object.bounds.empty() ? 0.f : max_component(object.bounds.size());
+        if (size > 0.f && size < smallest.size) smallest = {size, object.name};
+    }
+    return smallest;
+}
+
 void warn_of_precision(const World& world, std::vector<std::string>& warnings) {
     // A surface is then placed to a ten-thousandth of the smallest object or better.
     constexpr float coarsest = 1e-4f;
@@ -58,25 +73,17 @@ void warn_of_precision(const World& world, std::vector<std::string>& warnings) {
     const float farthest =
         std::max(max_component(glm::abs(bounds.lower)), max_component(glm::abs(bounds.upper)));
     const float step = std::nextafter(farthest, std::numeric_limits<float>::infinity()) - farthest;
-    float smallest = std::numeric_limits<float>::infinity();
-    std::string which;
-    for (const World::Object& object : world.objects) {
-        const float size = object.bounds.empty() ? 0.f : max_component(object.bounds.size());
-        if (size > 0.f && size < smallest) {
-            smallest = size;
-            which = object.name;
-        }
-    }
+    const auto [smallest, name] = smallest_object(world);
     if (smallest < smallest_size) {
         warnings.push_back(
             fmt::format("{} is {:.2g} across: rays may miss what is below {:g}; scale the scene up",
-                        in_quotes(which), smallest, smallest_size));
+                        in_quotes(name), smallest, smallest_size));
     }
     if (step > coarsest * smallest) {
         warnings.push_back(fmt::format(
             "coordinates reach {:g}, where a float's steps are {:g}: that is {:.2g} of the size of "
             "{} ({:g}); move the scene to the origin",
-            farthest, step, step / smallest, in_quotes(which), smallest));
+            farthest, step, step / smallest, in_quotes(name), smallest));
     }
 }
 
