@@ -37,11 +37,11 @@ ThesisModel::ThesisModel(const ThesisConstants& constants, const ProbeGrid& grid
                   constants.probeBrightness, constants.multiBounceIntensity},
       grid_(grid) {
     if (glm::any(glm::lessThan(grid.counts, glm::ivec3(3)))) {
-        throw UsageError(
-            "--model thesis",
-            fmt::format("a grid of {} x {} x {} probes has no neighbours to read", grid.counts.x,
-                        grid.counts.y, grid.counts.z),
-            "give the scene's grid three or more along each axis, or ddgi a smaller --spacing");
+        throw UsageError("--model thesis",
+                         fmt::format("a grid of {} x {} x {} probes has no neighbours to read",
+                                     grid.counts.x, grid.counts.y, grid.counts.z),
+                         "give the scene's grid three probes or more along each axis, or ddgi a "
+                         "smaller --spacing");
     }
 }
 
