@@ -12,6 +12,7 @@ namespace plumbline::pathtracer {
 
 void add_merge_command(CLI::App& app) {
     struct Arguments {
+        CommonOptions common;
         std::vector<std::filesystem::path> shards;
         std::string output;
     };
@@ -20,7 +21,11 @@ void add_merge_command(CLI::App& app) {
     command.add_option("shards", arguments->shards, "EXR files of 'render --shard I/N'")
         ->required();
     command.add_option("-o,--output", arguments->output, "EXR file to write")->required();
+    add_common_options(command, arguments->common);
+    for (const char* chosen_by_the_shards : {"--size", "--frame"})
+        command.remove_option(command.get_option(chosen_by_the_shards));
     command.callback([arguments] {
+        const auto threads = arguments->common.apply();
         check_output_picture(arguments->output);
         const Image image = merge(arguments->shards);
         write_exr(arguments->output, image);

@@ -5,6 +5,7 @@
 
 #include "scenes/command_line.h"
 #include "scenes/commands.h"
+#include "scenes/output_path.h"
 #include "scenes/scene_files.h"
 
 namespace plumbline {
@@ -17,6 +18,7 @@ struct Options {
 };
 
 void export_scene(const Options& options) {
+    check_output_file(options.output);
     const Scene scene = load_scene_for(options.scene, options.common);
     for (const std::string& line : scene.not_simulated) {
         fmt::print(stderr, "plumbline: left out: {}\n", line);

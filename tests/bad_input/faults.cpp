@@ -180,7 +180,7 @@ TEST_CASE("a killed render leaves the old picture or the new one", "[bad-input][
     check_killed(
         "\"$P\" render furnace --size 64x36 --spp 16 --shard 1/2 -o a.exr; "
         "\"$P\" render furnace --size 64x36 --spp 16 --shard 2/2 -o b.exr",
-        "merge a.exr b.exr -o out.exr");
+        "merge a.exr b.exr --threads 1 --quiet -o out.exr");
 }
 
 TEST_CASE("a killed comparison leaves old files or new ones", "[bad-input][faults]") {
@@ -254,12 +254,13 @@ TEST_CASE("a study that cannot be kept is refused before it is made", "[bad-inpu
                                                   {"render furnace", ".exr"},
                                                   {"ddgi furnace", ".exr"},
                                                   {"merge none.exr", ".exr"},
+                                                  {"export none.json", ".json"},
                                                   {"compare none.exr none.exr", ""}}));
     const TemporaryFolder folder;
     check_refused(folder, "\"$P\" " + command + " -o /proc/none/out" + name, "cannot be written");
     // A file where a folder should be, and a folder where a file should.
     if (name.empty()) folder.write("out", old_text);
-    check_refused(folder, "mkdir -p out.exr; \"$P\" " + command + " -o out" + name,
+    check_refused(folder, "mkdir -p out.exr out.json; \"$P\" " + command + " -o out" + name,
                   name.empty() ? "'out' is a file" : "cannot be written");
     CHECK(finished_files(folder.path()).size() == (name.empty() ? 1 : 0));
 }
