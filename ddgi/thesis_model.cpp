@@ -31,15 +31,19 @@ std::vector<float> thesis_miss_shares(const ThesisField& field) {
     return shares;
 }
 
+std::optional<std::string> thesis_obstacle(const ProbeGrid& grid) {
+    if (glm::all(glm::greaterThanEqual(grid.counts, glm::ivec3(3)))) return std::nullopt;
+    return fmt::format("a grid of {} x {} x {} probes has no neighbours to read", grid.counts.x,
+                       grid.counts.y, grid.counts.z);
+}
+
 ThesisModel::ThesisModel(const ThesisConstants& constants, const ProbeGrid& grid)
     : constants_(constants),
       parameters_{constants.falloffRegulator, constants.bounceAttenuation,
                   constants.probeBrightness, constants.multiBounceIntensity},
       grid_(grid) {
-    if (glm::any(glm::lessThan(grid.counts, glm::ivec3(3)))) {
-        throw UsageError("--model thesis",
-                         fmt::format("a grid of {} x {} x {} probes has no neighbours to read",
-                                     grid.counts.x, grid.counts.y, grid.counts.z),
+    if (const auto obstacle = thesis_obstacle(grid)) {
+        throw UsageError("--model thesis", *obstacle,
                          "give the scene's grid three probes or more along each axis, or ddgi a "
                          "smaller --spacing");
     }

@@ -16,10 +16,14 @@ ThesisConstants thesis_constants(const Scene& scene, const ProbeGrid& grid,
                                  const std::map<std::string, double>& set,
                                  std::vector<std::string>& notes);
 
+/// Why the thesis's model cannot run on a grid; none if it can. What a ray of one cell brings that
+/// meets nothing is read from a neighbour, at the border inward: three probes along each axis.
+std::optional<std::string> thesis_obstacle(const ProbeGrid& grid);
+
 /// [Dellson 2023] by its published formulas.
 class ThesisModel final : public ProbeModel {
  public:
-    /// Throws UsageError if the grid has fewer than three probes along an axis.
+    /// Throws UsageError if thesis_obstacle() says why it cannot run on the grid.
     ThesisModel(const ThesisConstants& constants, const ProbeGrid& grid);
 
     RayPattern pattern(int surfels) const override { return thesis_pattern(surfels); }

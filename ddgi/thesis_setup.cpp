@@ -7,6 +7,7 @@
 #include "ddgi/thesis_model.h"
 #include "ddgi/volume.h"
 #include "scenes/camera_rays.h"
+#include "scenes/errors.h"
 
 namespace plumbline::ddgi {
 namespace {
@@ -39,9 +40,15 @@ std::vector<PixelLookUp> camera_look_ups(const RayTracer& tracer) {
 
 }  // namespace
 
+void check_thesis_grid(const std::string& scene, const ProbeGrid& grid) {
+    if (const auto obstacle = thesis_obstacle(grid))
+        throw UsageError(scene, *obstacle, "give its grid three probes or more along each axis");
+}
+
 ThesisSetup thesis_setup(const Scene& scene, int frame, const DdgiOptions& options) {
     std::vector<std::string> notes;
     const ProbeGrid grid = grid_for(scene, options);
+    check_thesis_grid(scene.name, grid);
     const World world = world_at(scene, frame);
     const RayTracer tracer(world);
     ThesisSetup setup{SurfelCache(grid, thesis_pattern(options.surfels), Reach::OneCell),

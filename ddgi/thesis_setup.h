@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "ddgi/render.h"
@@ -46,8 +47,11 @@ struct ThesisSetup {
     ThesisField field() const { return {cache.grid(), cache.pattern(), cache.surfels()}; }
 };
 
+/// Throws UsageError in the name of the scene if thesis_obstacle() says why its grid will not do.
+void check_thesis_grid(const std::string& scene, const ProbeGrid& grid);
+
 /// Places and lights the surfels of one frame and finds what the camera sees. Of `options`,
-/// surfels, spacing and set count. Throws UsageError as render() does.
+/// surfels, spacing and set count. Throws UsageError as render() and check_thesis_grid() do.
 ThesisSetup thesis_setup(const Scene& scene, int frame, const DdgiOptions& options);
 
 }  // namespace plumbline::ddgi

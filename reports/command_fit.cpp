@@ -9,6 +9,7 @@
 #include "compare/fit_report.h"
 #include "compare/layer_fit.h"
 #include "ddgi/render.h"
+#include "ddgi/thesis_setup.h"
 #include "pathtracer/render.h"
 #include "reports/commands.h"
 #include "reports/picture_size.h"
@@ -57,6 +58,7 @@ Image rendered_truth(Scene& scene, int frame, const FitOptions& options) {
 
 Subject subject_of(std::size_t i, const FitOptions& options) {
     Scene scene = load_scene_for(options.scenes[i], options.common);
+    ddgi::check_thesis_grid(scene.name, probe_grid(scene));
     const int frame = options.common.frame ? frame_of(scene, options.common) : scene.report_frame;
     Image truth = options.references.empty() ? rendered_truth(scene, frame, options)
                                              : read_image(options.references[i]);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ddgi/thesis_model.h"
 #include "pathtracer/render.h"
 #include "reports/frontier_points.h"
 #include "reports/layer_statistics.h"
@@ -42,7 +43,8 @@ Frontier measure_frontier(const Scene& scene, int frame, const Image& truth,
                       truth.height(),
                       options.repeats,
                       layer_noise(truth, "indirect"),
-                      {}};
+                      {},
+                      ddgi::thesis_obstacle(probe_grid(scene)).value_or("")};
     for (const int spp : options.spp)
         frontier.points.push_back(measure_path_tracer(scene, frame, truth, spp, options.repeats));
     Progress progress("Probes of " + scene.name, options.cases.size());

@@ -59,6 +59,7 @@ struct Frontier {
     int repeats;
     double truth_noise;  ///< RMSE of the truth's indirect layer from its own noise
     std::vector<FrontierPoint> points;
+    std::string without_thesis{};  ///< why its model cannot run on the scene's grid; else empty
 };
 
 /// What is measured.

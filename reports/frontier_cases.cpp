@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ddgi/grid.h"
+#include "ddgi/thesis_model.h"
 
 namespace plumbline::reports {
 
@@ -44,11 +45,8 @@ void add_spacings(std::vector<FrontierCase>& cases, const std::string& method,
     const float own = probe_grid(scene).spacing;
     for (const float multiple : multiples) {
         options.spacing = own * multiple;
-        // A missed ray at the border reads inward, for which the thesis's grid needs three probes.
         const ProbeGrid grid = ddgi::with_spacing(probe_grid(scene), *options.spacing);
-        if (options.model == "thesis" &&
-            std::min({grid.counts.x, grid.counts.y, grid.counts.z}) < 3)
-            continue;
+        if (options.model == "thesis" && ddgi::thesis_obstacle(grid)) continue;
         cases.push_back(make_case(
             method,
             fmt::format("{}, spacing {:.4g}", surfels_text(options.surfels), *options.spacing),
@@ -59,6 +57,7 @@ void add_spacings(std::vector<FrontierCase>& cases, const std::string& method,
 /// The thesis's feedback, at its published strength: more bounces.
 void add_bounces(std::vector<FrontierCase>& cases, const Scene& scene) {
     if (!scene.thesis || !(scene.thesis->multiBounceIntensity > 0)) return;
+    if (ddgi::thesis_obstacle(probe_grid(scene))) return;
     ddgi::DdgiOptions options = with_model("thesis");
     const double strength = scene.thesis->multiBounceIntensity;
     options.set["multiBounceIntensity"] = strength;
@@ -90,7 +89,8 @@ std::vector<FrontierCase> frontier_cases(const Scene& scene, bool quick) {
     const std::vector<int> surfels =
         quick ? std::vector{16, 64} : std::vector{16, 32, 64, 128, 256};
     const std::vector<float> multiples = quick ? std::vector{2.f} : std::vector{4.f, 2.f, .625f};
-    add_surfels(cases, "thesis", with_model("thesis"), thesis_surfels);
+    if (!ddgi::thesis_obstacle(probe_grid(scene)))
+        add_surfels(cases, "thesis", with_model("thesis"), thesis_surfels);
     add_spacings(cases, "thesis", with_model("thesis"), scene, multiples);
     add_bounces(cases, scene);
     ddgi::DdgiOptions octants = with_model("conserving");

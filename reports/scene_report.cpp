@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "ddgi/model.h"
+#include "ddgi/thesis_model.h"
 #include "reports/layer_statistics.h"
 #include "reports/scene_hash.h"
 #include "reports/stages.h"
@@ -140,6 +141,13 @@ void measure_studies(SceneReport& report, const Scene& scene, const Quality& qua
                                                           audited_bounces, audited_points));
 }
 
+/// Why a report of the scene does without the thesis's model; none if it has it.
+std::optional<std::string> reason_without_thesis(const Scene& scene) {
+    if (!scene.thesis)
+        return "the scene gives no constants for it (key \"thesis\" of the scene file)";
+    return ddgi::thesis_obstacle(probe_grid(scene));
+}
+
 }  // namespace
 
 Quality quality_of(bool quick) {
@@ -148,8 +156,9 @@ Quality quality_of(bool quick) {
 }
 
 double total_work(const Scene& scene, const Quality& quality) {
-    const auto models = static_cast<double>(other_models().size() + (scene.thesis ? 2 : 0));
-    double work = quality.truth_spp + models * work_of_model + (scene.thesis ? work_of_fit : 0);
+    const bool thesis = !reason_without_thesis(scene);
+    const auto models = static_cast<double>(other_models().size() + (thesis ? 2 : 0));
+    double work = quality.truth_spp + models * work_of_model + (thesis ? work_of_fit : 0);
     for (const int spp : quality.path_tracer_spp) work += 2 * spp;
     if (moving_frames(scene)) work += quality.animation.steps * work_of_animation_step;
     return work + work_of_frontier + work_of_audit;
@@ -185,11 +194,10 @@ SceneReport measure(const std::string& argument, const Scene& scene, int frame,
             {picture.spp, picture.seconds, picture.rays,
              picture_errors(report.truth.image, picture.image, &halves[i].image)});
     }
-    if (scene.thesis)
-        measure_thesis(report, scene, stages);
+    if (const auto reason = reason_without_thesis(scene))
+        report.left_out.push_back("model thesis: " + *reason);
     else
-        report.left_out.push_back(
-            "model thesis: the scene gives no constants for it (key \"thesis\" of the scene file)");
+        measure_thesis(report, scene, stages);
     for (const std::string& model : other_models()) {
         stages.begin(fmt::format("{}: {}", scene.name, model), work_of_model);
         ddgi::DdgiOptions options;

@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "scenes/scene_files.h"
 
@@ -66,6 +68,31 @@ TEST_CASE("report measures a scene with every model and writes a page and its fi
     CHECK(!scene["frontier"]["points"].empty());
     CHECK(scene["audit"].size() + 1 == scene["models"].size());  // all but the fitted one
     CHECK(results["transfer"].size() == 3 * 5);  // three scenes; two of them at frame 0 too
+}
+
+TEST_CASE("report and frontier do without the thesis's model where its probes have no neighbours",
+          "[reports][command]") {
+    const Folder folder;
+    const fs::path out = folder.path / "out";
+    Scene room = load_scene("cornell-box");
+    room.probes = ProbeGrid{{-200, 0, -200}, 400, {2, 2, 2}};
+    const fs::path file = folder.path / "room.json";
+    save_scene(room, file);
+    REQUIRE(exit_of(file.string() + " --quick --size 16x9 -o " + out.string()) == 0);
+    const nlohmann::json results = nlohmann::json::parse(std::ifstream(out / "results.json"));
+    const nlohmann::json& scene = results["scenes"][0];
+    CHECK(scene["left_out"] ==
+          nlohmann::json{"model thesis: a grid of 2 x 2 x 2 probes has no neighbours to read"});
+    CHECK(scene["fit"].is_null());
+    std::set<std::string> models, methods;
+    for (const nlohmann::json& model : scene["models"]) models.insert(model["id"]);
+    CHECK(models == std::set<std::string>{"conserving", "irradiance"});
+    for (const nlohmann::json& point : scene["frontier"]["points"]) methods.insert(point["method"]);
+    CHECK(methods == std::set<std::string>{"path tracer", "irradiance", "conserving",
+                                           "conserving, octants"});
+    std::ifstream page(out / "index.html");
+    const std::string html{std::istreambuf_iterator<char>(page), {}};
+    CHECK(html.find("Without thesis at the scene") != std::string::npos);
 }
 
 TEST_CASE("report refuses what it cannot use, and leaves nothing behind", "[reports][command]") {
