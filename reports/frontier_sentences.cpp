@@ -115,8 +115,8 @@ std::vector<std::string> frontier_sentences(const Frontier& frontier) {
     if (!frames.empty())
         sentences.push_back(budget_sentence("one more frame of an animation", frames, law));
     if (!frontier.without_thesis.empty())
-        sentences.push_back("Without thesis at the scene's own spacing: " +
-                            frontier.without_thesis + ".");
+        sentences.push_back(
+            "Without thesis at the scene's own spacing: " + frontier.without_thesis + ".");
     if (const std::string hidden = hidden_sentence(frontier); !hidden.empty())
         sentences.push_back(hidden);
     return sentences;

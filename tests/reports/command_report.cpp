@@ -88,8 +88,8 @@ TEST_CASE("report and frontier do without the thesis's model where its probes ha
     for (const nlohmann::json& model : scene["models"]) models.insert(model["id"]);
     CHECK(models == std::set<std::string>{"conserving", "irradiance"});
     for (const nlohmann::json& point : scene["frontier"]["points"]) methods.insert(point["method"]);
-    CHECK(methods == std::set<std::string>{"path tracer", "irradiance", "conserving",
-                                           "conserving, octants"});
+    CHECK(methods ==
+          std::set<std::string>{"path tracer", "irradiance", "conserving", "conserving, octants"});
     std::ifstream page(out / "index.html");
     const std::string html{std::istreambuf_iterator<char>(page), {}};
     CHECK(html.find("Without thesis at the scene") != std::string::npos);
