@@ -132,6 +132,26 @@ TEST_CASE("the time spent before an interruption counts", "[pathtracer]") {
     CHECK(resumed->seconds > 3.);
 }
 
+TEST_CASE("a render goes on where its checkpoint cannot be written, unless it is interrupted",
+          "[pathtracer]") {
+    const Scene scene = test::mixed_room(32, 20);
+    const RenderOptions options{.spp = 32};
+    const TemporaryFolder folder;
+    std::vector<std::string> told;
+    CheckpointOptions nowhere{
+        .file = std::filesystem::path(folder.write("file", "")) / "o.checkpoint",
+        .every_seconds = 0.,
+        .not_written = [&](const std::string& line) { told.push_back(line); }};
+    const auto whole = render(scene, 0, options, nowhere);
+    REQUIRE(whole);
+    CHECK(test::same_pixels(whole->image, render(scene, 0, options).image));
+    REQUIRE_FALSE(told.empty());
+    CHECK_THAT(told.front(), Catch::Contains(nowhere.file.string()));
+    // Nothing would be left of the work, so that it must not end as if it could be resumed.
+    nowhere.interrupted = [] { return true; };
+    CHECK_THROWS_AS(render(scene, 0, options, nowhere), ImageError);
+}
+
 TEST_CASE("a checkpoint of another render is refused with the reason", "[pathtracer]") {
     const Scene scene = test::mixed_room(32, 20);
     const TemporaryFolder folder;

@@ -111,6 +111,16 @@ TEST_CASE("an inward sphere shows its front inside and its back outside", "[scen
     CHECK_FALSE(through->back);
 }
 
+TEST_CASE("a sphere that is scaled unevenly makes no world", "[scenes][rays]") {
+    const Sphere ball{{0.f, 0.f, 0.f}, 1.f, false, 0};
+    Transform scaled;
+    scaled.scale = glm::vec3(2.f);
+    CHECK(world_of(object_of(ball, scaled), {}).spheres.front().radius == 2.f);
+    scaled.scale.y = 2.01f;
+    CHECK_THROWS_WITH(world_of(object_of(ball, scaled), {}),
+                      Catch::Contains("a sphere is scaled unevenly (2, 2.01, 2)"));
+}
+
 TEST_CASE("a mirrored box still faces outward", "[scenes][rays]") {
     Transform mirrored;
     mirrored.scale = {-1.f, 2.f, 0.5f};
