@@ -30,7 +30,8 @@ struct Comparison {
     std::vector<Metrics> channel_metrics;  ///< of each, without ssim and flip
     std::vector<ObjectError> objects;
     std::vector<ErrorPercentile> percentiles;
-    std::optional<NoiseSplit> noise;  ///< none: no image has variances, and no half was given
+    std::optional<NoiseSplit> noise;                    ///< none if nothing tells the noise
+    std::string noise_unknown;                          ///< then the reason, in words
     std::array<std::vector<float>, 3> halves_variance;  ///< see HalvesSplit; empty without halves
     std::vector<ScaleError> scales;
     FlipVariant flip_variant = FlipVariant::Hdr;

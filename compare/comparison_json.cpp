@@ -77,6 +77,7 @@ ordered_json noise_json(const std::optional<NoiseSplit>& noise) {
     if (!noise) return nullptr;
     return {{"method", noise->method},
             {"mse_expected_from_noise", noise->mse_expected_from_noise},
+            {"mse_overstated", noise->mse_overstated},
             {"bias_mse", noise->bias_mse},
             {"bias_mse_ci95", noise->bias_mse_ci95},
             {"z_fraction_above_3", noise->z_fraction_above_3},
@@ -97,8 +98,11 @@ ordered_json to_json(const Comparison& comparison) {
     ordered_json first = nullptr;
     if (comparison.first_non_finite)
         first = {comparison.first_non_finite->x, comparison.first_non_finite->y};
+    ordered_json noise_unknown = nullptr;
+    if (!comparison.noise) noise_unknown = comparison.noise_unknown;
     return {{"metrics", metrics_json(comparison.metrics)},
             {"noise", noise_json(comparison.noise)},
+            {"noise_unknown", noise_unknown},
             {"non_finite", comparison.non_finite},
             {"pixels", comparison.pixels},
             {"layer", comparison.layer},

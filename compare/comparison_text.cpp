@@ -13,18 +13,24 @@ std::string shown(const std::optional<double>& value) {
     return value ? fmt::format("{:.6g}", *value) : "undefined";
 }
 
-std::string noise_text(const std::optional<NoiseSplit>& noise) {
-    if (!noise) return "noise    unknown: no variance layer in either image, and no --half\n";
+std::string noise_text(const Comparison& comparison) {
+    const std::optional<NoiseSplit>& noise = comparison.noise;
+    if (!noise) return "noise    unknown: " + comparison.noise_unknown + "\n";
     std::string text = fmt::format(
         "noise    {:.6g} of the MSE is expected from noise\n"
         "bias     {:.6g} of the MSE is not noise (95 % interval {:.6g} to {:.6g})\n"
-        "z > 3    {:.3f} % of values (0.27 % if all is noise)\n",
+        "z > 3    {:.3f} % of values (if all is noise: 0.27 %, some percent from few batches)\n",
         noise->mse_expected_from_noise, noise->bias_mse, noise->bias_mse_ci95[0],
         noise->bias_mse_ci95[1], 100 * noise->z_fraction_above_3);
     text += "         by " + noise->method + "\n";
     if (!noise->reference_variance)
         text += "         nothing tells the reference's noise: taken as exact\n";
     if (!noise->test_variance) text += "         nothing tells the test's noise: taken as exact\n";
+    if (noise->mse_overstated > 0)
+        text += fmt::format(
+            "         {:.6g} of the noise is of fewer than 32 samples, which overstate it: the "
+            "interval allows for bias in its place\n",
+            noise->mse_overstated);
     if (noise->left_out > 0)
         text += fmt::format("         {} pixels left out: variance negative or not finite\n",
                             noise->left_out);
@@ -94,7 +100,7 @@ std::string to_text(const Comparison& comparison) {
                             comparison.pixels_per_degree, exposures_text(comparison));
     if (comparison.counted_pixels < comparison.pixels)
         text += fmt::format("of {} of {} pixels\n", comparison.counted_pixels, comparison.pixels);
-    return text + "\n" + noise_text(comparison.noise) + scales_text(comparison.scales) +
+    return text + "\n" + noise_text(comparison) + scales_text(comparison.scales) +
            parts_text(comparison) + percentiles_text(comparison.percentiles);
 }
 

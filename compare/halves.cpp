@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/row_sums.h"
+#include "compare/shared_samples.h"
 #include "scenes/errors.h"
 
 namespace plumbline::compare {
@@ -20,7 +21,8 @@ using Layer = std::array<std::span<const float>, 3>;
 struct HalvedPair {
     const LayerPair& pair;
     LayerPair second;
-    std::vector<Layer> shared;  ///< variances of noise that both pictures share
+    std::vector<Layer> shared;      ///< variances of noise that both pictures share
+    std::vector<Layer> overstated;  ///< those of them that overstate
 
     bool usable(std::size_t i) const {
         if (!pair.usable[i] || !second.finite[i]) return false;
@@ -35,19 +37,25 @@ struct HalvedPair {
     double d2(std::size_t c, std::size_t i) const {
         return double(second.test[c][i]) - double(second.reference[c][i]);
     }
-    double shared_variance(std::size_t c, std::size_t i) const {
-        double sum = 0;
-        for (const Layer& layer : shared) sum += double(layer[c][i]);
-        return sum;
+    double shared_variance(std::size_t c, std::size_t i) const { return sum_of(shared, c, i); }
+    double overstated_variance(std::size_t c, std::size_t i) const {
+        return sum_of(overstated, c, i);
     }
     /// s^2 of d1, from this pixel alone.
     double variance(std::size_t c, std::size_t i) const {
         const double v = d1(c, i) - d2(c, i);
         return 0.5 * v * v + shared_variance(c, i);
     }
+
+ private:
+    static double sum_of(const std::vector<Layer>& layers, std::size_t c, std::size_t i) {
+        double sum = 0;
+        for (const Layer& layer : layers) sum += double(layer[c][i]);
+        return sum;
+    }
 };
 
-enum Sum : std::size_t { Product, Noise, Plugged, Pixels, SumCount };
+enum Sum : std::size_t { Product, Noise, Overstated, Plugged, Pixels, SumCount };
 
 void add_pixel(const HalvedPair& halved, const std::array<double, 3>& rho, std::size_t i,
                std::array<double, SumCount>& sums) {
@@ -59,6 +67,7 @@ void add_pixel(const HalvedPair& halved, const std::array<double, 3>& rho, std::
         s2[c] = halved.shared_variance(c, i);
         sums[Product] += d1[c] * d2[c] - s2[c];
         sums[Noise] += halved.variance(c, i);
+        sums[Overstated] += halved.overstated_variance(c, i);
         uv += 0.5 * (d1[c] + d2[c]) * (d1[c] - d2[c]);
         sums[Plugged] += 4 * s2[c] * d1[c] * d2[c] - 2 * s2[c] * s2[c];
     }
@@ -126,17 +135,24 @@ double above_threshold(const HalvedPair& halved, const std::array<std::vector<fl
 HalvesSplit split_by_halves(const Image& reference, const Image& test, const Halves& halves,
                             const LayerPair& pair) {
     assert(halves.reference || halves.test);
+    check_independent(reference, test, halves);
     HalvedPair halved{pair,
                       pair_layers(halves.reference ? *halves.reference : reference,
                                   halves.test ? *halves.test : test, pair.layer),
+                      {},
                       {}};
     const bool fits = halved.second.width == pair.width && halved.second.height == pair.height;
     if (halves.reference && !fits)
         pair_layers(reference, *halves.reference, pair.layer);  // throws with the sizes
+    const auto share = [&](const Image& image, const std::optional<Layer>& variance) {
+        if (!variance) return;
+        halved.shared.push_back(*variance);
+        if (variances_overstate(image)) halved.overstated.push_back(*variance);
+    };
     const auto reference_variance = variances_of(reference, pair.layer);
     const auto test_variance = variances_of(test, pair.layer);
-    if (!halves.reference && reference_variance) halved.shared.push_back(*reference_variance);
-    if (!halves.test && test_variance) halved.shared.push_back(*test_variance);
+    if (!halves.reference) share(reference, reference_variance);
+    if (!halves.test) share(test, test_variance);
 
     const auto rho = channel_correlations(pair);
     const auto sums = sum_over_rows<SumCount>(pair.height, [&](int y) {
@@ -160,7 +176,9 @@ HalvesSplit split_by_halves(const Image& reference, const Image& test, const Hal
     split.bias_mse = sums[Product] / n;
     // Where shared noise is small the plugged-in variance can come out below 0.
     const double half_width = z_95 * std::sqrt(std::max(0.0, sums[Plugged])) / n;
-    split.bias_mse_ci95 = {split.bias_mse - half_width, split.bias_mse + half_width};
+    split.mse_overstated = sums[Overstated] / n;
+    split.bias_mse_ci95 = {split.bias_mse - half_width,
+                           split.bias_mse + split.mse_overstated + half_width};
     split.z_fraction_above_3 = above_threshold(halved, result.variance) / n;
     split.channel_correlation = (rho[0] + rho[1] + rho[2]) / 3;
     split.reference_variance = halves.reference || reference_variance;

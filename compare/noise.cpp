@@ -8,6 +8,7 @@
 
 #include "compare/find_layer.h"
 #include "compare/row_sums.h"
+#include "compare/shared_samples.h"
 
 namespace plumbline::compare {
 
@@ -19,19 +20,23 @@ using Layer = std::array<std::span<const float>, 3>;
 struct Errors {
     std::array<double, 3> d;
     std::array<double, 3> variance;
+    double overstated = 0;  ///< of the variances' sum, what comes from those that overstate
 };
 
 /// Where a pair's errors and variances are looked up.
 struct NoisyPair {
     const LayerPair& pair;
     std::optional<Layer> reference_variance, test_variance;
+    bool reference_overstates, test_overstates;
 
     Errors at(std::size_t i) const {
         Errors errors;
         for (std::size_t c = 0; c < 3; ++c) {
             errors.d[c] = double(pair.test[c][i]) - double(pair.reference[c][i]);
-            errors.variance[c] = (reference_variance ? double((*reference_variance)[c][i]) : 0.0) +
-                                 (test_variance ? double((*test_variance)[c][i]) : 0.0);
+            const double r = reference_variance ? double((*reference_variance)[c][i]) : 0.0;
+            const double t = test_variance ? double((*test_variance)[c][i]) : 0.0;
+            errors.variance[c] = r + t;
+            errors.overstated += (reference_overstates ? r : 0.0) + (test_overstates ? t : 0.0);
         }
         return errors;
     }
@@ -46,7 +51,7 @@ struct NoisyPair {
 
 double sign(double x) { return double(x > 0) - double(x < 0); }
 
-enum Sum : std::size_t { Square, Noise, Above, Plugged, NoiseOnly, Pixels, SumCount };
+enum Sum : std::size_t { Square, Noise, Overstated, Above, Plugged, NoiseOnly, Pixels, SumCount };
 
 void add_pixel(const Errors& e, const std::array<double, 3>& rho,
                std::array<double, SumCount>& sums) {
@@ -66,6 +71,7 @@ void add_pixel(const Errors& e, const std::array<double, 3>& rho,
         sums[Plugged] += 2 * (4 * cov * e.d[a] * e.d[b] - 2 * cov * cov);
         sums[NoiseOnly] += 2 * (2 * cov * cov);
     }
+    sums[Overstated] += e.overstated;
     sums[Pixels] += 1;
 }
 
@@ -111,8 +117,8 @@ std::array<double, 3> channel_correlations(const LayerPair& pair) {
 
 std::optional<NoiseSplit> split_noise(const Image& reference, const Image& test,
                                       const LayerPair& pair) {
-    const NoisyPair noisy{pair, variances_of(reference, pair.layer),
-                          variances_of(test, pair.layer)};
+    const NoisyPair noisy{pair, variances_of(reference, pair.layer), variances_of(test, pair.layer),
+                          variances_overstate(reference), variances_overstate(test)};
     if (!noisy.reference_variance && !noisy.test_variance) return std::nullopt;
 
     const std::array<double, 3> rho = channel_correlations(pair);
@@ -129,8 +135,10 @@ std::optional<NoiseSplit> split_noise(const Image& reference, const Image& test,
     NoiseSplit split;
     split.mse_expected_from_noise = sums[Noise] / n;
     split.bias_mse = (sums[Square] - sums[Noise]) / n;
+    split.mse_overstated = sums[Overstated] / n;
     const double half_width = z_95 * std::sqrt(std::max(sums[Plugged], sums[NoiseOnly])) / n;
-    split.bias_mse_ci95 = {split.bias_mse - half_width, split.bias_mse + half_width};
+    split.bias_mse_ci95 = {split.bias_mse - half_width,
+                           split.bias_mse + split.mse_overstated + half_width};
     split.z_fraction_above_3 = sums[Above] / n;
     split.channel_correlation = (rho[0] + rho[1] + rho[2]) / 3;
     split.reference_variance = noisy.reference_variance.has_value();

@@ -20,14 +20,17 @@ namespace plumbline::compare {
 /// d d' - rho s s', so V adds 4 rho s s' d d' - 2 rho^2 s^2 s'^2 over all pairs of channels, a
 /// channel with itself (rho = 1) included. Pixels are independent. V is kept at least at what noise
 /// alone gives (b = 0). The variances are taken as exact, which a few samples a pixel do not make
-/// them.
+/// them, but for those that overstate (variances_overstate()): the interval then reaches up to
+/// where it would lie without them, which is too far rather than not far enough.
 struct NoiseSplit {
     std::string method = "variance layers";  ///< or "independent halves"
     double mse_expected_from_noise = 0;      ///< mean of s^2
+    double mse_overstated = 0;               ///< its part from variances that overstate
     double bias_mse = 0;                     ///< mse - mse_expected_from_noise; may be below 0
     std::array<double, 2> bias_mse_ci95{};
     double z_fraction_above_3 =
-        0;  ///< of pixels and channels with |d| > 3 s; 0.0027 if all is noise
+        0;  ///< of pixels and channels with |d| > 3 s; 0.0027 if all is Gaussian noise and s is
+            ///< exact; if s comes from few batches, as of 16 samples, some percent
     double channel_correlation = 0;   ///< rho, the mean of the three pairs of channels
     bool reference_variance = false;  ///< the reference has variances; else it counts as exact
     bool test_variance = false;

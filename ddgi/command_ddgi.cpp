@@ -79,7 +79,10 @@ nlohmann::ordered_json json_of(const DdgiResult& result, const DdgiOptions& opti
 
 void run(Arguments& arguments) {
     check_output_picture(arguments.output);
-    for (const std::string& text : arguments.set) arguments.ddgi.set.insert(parse_constant(text));
+    for (const std::string& text : arguments.set) {
+        const auto [constant, is_new] = arguments.ddgi.set.insert(parse_constant(text));
+        if (!is_new) throw UsageError("--set", constant->first + " is given twice", "give it once");
+    }
     arguments.ddgi.gi = arguments.gi;
     arguments.ddgi.cache = !arguments.no_cache;
     arguments.ddgi.probes.shifted = !arguments.no_shift;

@@ -4,11 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "pathtracer/render.h"
 #include "reports/ablation_page.h"
 #include "reports/commands.h"
 #include "reports/output_folder.h"
-#include "reports/picture_size.h"
+#include "reports/truth.h"
 #include "reports/words.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
@@ -43,18 +42,9 @@ void check(const Options& options) {
             "give one for each scene, in the same order, or none");
 }
 
-Image truth_of(Scene& scene, int frame, std::size_t index, const Options& options) {
-    if (!options.references.empty()) {
-        Image truth = read_image(options.references[index]);
-        scene.camera.width = truth.width();
-        scene.camera.height = truth.height();
-        return truth;
-    }
-    reports::set_default_size(scene.camera, options.common,
-                              options.quick ? quick_pixels : default_pixels);
-    pathtracer::RenderOptions render;
-    render.spp = options.quick ? quick_spp : default_spp;
-    return pathtracer::render(scene, frame, render).image;
+reports::TruthSource truth_source(std::size_t index, const Options& options) {
+    return {options.references.empty() ? "" : options.references[index],
+            options.quick ? quick_pixels : default_pixels, options.quick ? quick_spp : default_spp};
 }
 
 std::string command_of(const Options& options) {
@@ -80,7 +70,8 @@ void run(const Options& options) {
         Scene scene = load_scene_for(options.scenes[i], options.common);
         const int frame =
             options.common.frame ? frame_of(scene, options.common) : scene.report_frame;
-        const Image truth = truth_of(scene, frame, i, options);
+        const Image truth =
+            reports::truth_of(scene, frame, truth_source(i, options), options.common);
         measured.push_back(reports::measure_ablation(scene, frame, truth, cases));
     }
     const std::string results = reports::ablation_json(measured).dump(2) + "\n";

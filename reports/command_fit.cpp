@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
 
 #include "compare/fit_report.h"
 #include "compare/layer_fit.h"
@@ -12,7 +14,7 @@
 #include "ddgi/thesis_setup.h"
 #include "pathtracer/render.h"
 #include "reports/commands.h"
-#include "reports/picture_size.h"
+#include "reports/truth.h"
 #include "scenes/command_line.h"
 #include "scenes/errors.h"
 #include "scenes/output_path.h"
@@ -25,12 +27,13 @@ namespace {
 
 /// Pixels of a truth rendered without --size, in the camera's own proportions.
 constexpr double default_pixels = 480. * 270.;
+constexpr int default_spp = 128;
 
 struct FitOptions {
     CommonOptions common;
     std::vector<std::string> scenes;
     std::vector<std::string> references;
-    int spp = 128;
+    std::optional<int> spp;
     compare::FitSettings settings;
     std::vector<int> test_frames;
     std::vector<std::string> layers;
@@ -49,21 +52,14 @@ struct Subject {
     compare::FitCase fit_case() const { return {&scene, frame, &truth}; }
 };
 
-Image rendered_truth(Scene& scene, int frame, const FitOptions& options) {
-    reports::set_default_size(scene.camera, options.common, default_pixels);
-    pathtracer::RenderOptions render;
-    render.spp = options.spp;
-    return pathtracer::render(scene, frame, render).image;
-}
-
 Subject subject_of(std::size_t i, const FitOptions& options) {
     Scene scene = load_scene_for(options.scenes[i], options.common);
     ddgi::check_thesis_grid(scene.name, probe_grid(scene));
     const int frame = options.common.frame ? frame_of(scene, options.common) : scene.report_frame;
-    Image truth = options.references.empty() ? rendered_truth(scene, frame, options)
-                                             : read_image(options.references[i]);
-    scene.camera.width = truth.width();
-    scene.camera.height = truth.height();
+    Image truth = reports::truth_of(scene, frame,
+                                    {options.references.empty() ? "" : options.references[i],
+                                     default_pixels, options.spp.value_or(default_spp)},
+                                    options.common);
     return {std::move(scene), frame, std::move(truth)};
 }
 
@@ -77,7 +73,7 @@ std::vector<Subject> test_subjects(const std::vector<Subject>& subjects,
             at.frame = frame;
             Scene scene = subject.scene;
             pathtracer::RenderOptions render;
-            render.spp = options.spp;
+            render.spp = options.spp.value_or(default_spp);
             Image truth = pathtracer::render(scene, frame_of(scene, at), render).image;
             tests.push_back({std::move(scene), frame, std::move(truth)});
         }
@@ -116,15 +112,32 @@ void write_pictures(const FitOptions& options, const std::vector<Subject>& subje
     }
 }
 
-void run_scenes(const FitOptions& options) {
+/// Its pictures are named after the scenes.
+void check_names(const std::vector<Subject>& subjects) {
+    std::set<std::string> names;
+    for (const Subject& subject : subjects)
+        if (!names.insert(subject.scene.name).second)
+            throw UsageError("fit", fmt::format("two scenes are named '{}'", subject.scene.name),
+                             "with -o give each a name of its own");
+}
+
+void check_references(const FitOptions& options) {
     if (!options.references.empty() && options.references.size() != options.scenes.size())
         throw UsageError(
             "--reference",
             fmt::format("{} files for {} scenes", options.references.size(), options.scenes.size()),
             "give one for each scene, in the same order, or none");
+    if (options.spp && !options.references.empty() && options.test_frames.empty())
+        throw UsageError("--spp", "there is nothing to path-trace beside --reference",
+                         "leave it out, or give --test-frames");
+}
+
+void run_scenes(const FitOptions& options) {
+    check_references(options);
     std::vector<Subject> subjects;
     for (std::size_t i = 0; i < options.scenes.size(); ++i)
         subjects.push_back(subject_of(i, options));
+    if (!options.folder.empty()) check_names(subjects);
     const std::vector<Subject> tests = test_subjects(subjects, options);
     compare::FitSettings settings = options.settings;
     settings.watch = show_step;
@@ -178,17 +191,25 @@ void run(const FitOptions& options) {
         run_layers(options);
 }
 
-void add_layer_options(CLI::App& command, FitOptions& options) {
+/// `of_scenes` are the options that mean nothing without scenes.
+void add_layer_options(CLI::App& command, FitOptions& options,
+                       const std::vector<CLI::Option*>& of_scenes) {
+    CLI::Option* layers =
+        command
+            .add_option(
+                "--layers", options.layers,
+                "Fit gains of these images, FILE or FILE:LAYER, instead of a scene's constants")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+    for (CLI::Option* option : of_scenes) layers->excludes(option);
     command
-        .add_option("--layers", options.layers,
-                    "Fit gains of these images, FILE or FILE:LAYER, instead of a scene's constants")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    command.add_option("--layer", options.layer,
-                       "Layer of the reference that --layers add up to (default: radiance)");
+        .add_option("--layer", options.layer,
+                    "Layer of the reference that --layers add up to (default: radiance)")
+        ->needs(layers);
     command
         .add_option("--bounds", options.bounds,
                     "LOW,HIGH of the gains of --layers (default: from 0)")
+        ->needs(layers)
         ->delimiter(',')
         ->expected(2);
 }
@@ -205,28 +226,32 @@ void add_fit_command(CLI::App& app) {
         .add_option("--reference", options->references,
                     "EXR with the truth of a scene, one for each in order (default: path-traced)")
         ->allow_extra_args(false);
-    command.add_option("--spp", options->spp, "Samples a pixel of a truth (default: 128)")
-        ->check(CLI::Range(2, 1 << 24));
-    command
-        .add_option("--free", options->settings.free,
-                    "Constants to fit, NAME,NAME (default: all but multiBounceIntensity)")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    command
-        .add_option("--per-scene", options->settings.per_scene,
-                    "Those of them that each scene has for itself, NAME,NAME (default: none)")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    CLI::Option* spp =
+        command.add_option("--spp", options->spp, "Samples a pixel of a truth (default: 128)")
+            ->check(CLI::Range(2, 1 << 24));
+    CLI::Option* free =
+        command
+            .add_option("--free", options->settings.free,
+                        "Constants to fit, NAME,NAME (default: all but multiBounceIntensity)")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+    CLI::Option* per_scene =
+        command
+            .add_option("--per-scene", options->settings.per_scene,
+                        "Those of them that each scene has for itself, NAME,NAME (default: none)")
+            ->delimiter(',')
+            ->allow_extra_args(false);
     command.add_option_function<std::string>(
         "--loss",
         [options](const std::string& name) { options->settings.loss = compare::loss_named(name); },
         "squares, huber or cauchy: what a large residual costs (default: squares)");
-    command
-        .add_option("--test-frames", options->test_frames,
-                    "Further frames of each scene, path-traced, to test the constants on, F,F")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    add_layer_options(command, *options);
+    CLI::Option* test_frames =
+        command
+            .add_option("--test-frames", options->test_frames,
+                        "Further frames of each scene, path-traced, to test the constants on, F,F")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+    add_layer_options(command, *options, {spp, free, per_scene, test_frames});
     command.add_option("-o,--output", options->folder, "Folder for fit.json and the pictures");
     command.add_flag("--json", options->json, "Figures as JSON on stdout");
     command.callback([options] { run(*options); });

@@ -4,11 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "pathtracer/render.h"
 #include "reports/commands.h"
 #include "reports/frontier_page.h"
 #include "reports/output_folder.h"
-#include "reports/picture_size.h"
+#include "reports/truth.h"
 #include "reports/words.h"
 #include "scenes/command_line.h"
 #include "scenes/output_path.h"
@@ -28,19 +27,6 @@ struct Options {
 
     reports::FrontierEffort effort() const { return reports::frontier_effort(quick); }
 };
-
-Image truth_of(Scene& scene, int frame, const Options& options) {
-    if (!options.reference.empty()) {
-        Image truth = read_image(options.reference);
-        scene.camera.width = truth.width();
-        scene.camera.height = truth.height();
-        return truth;
-    }
-    reports::set_default_size(scene.camera, options.common, options.effort().pixels);
-    pathtracer::RenderOptions render;
-    render.spp = options.effort().truth_spp;
-    return pathtracer::render(scene, frame, render).image;
-}
 
 std::string command_of(const Options& options) {
     std::string command = "plumbline frontier " + reports::shell_word(options.scene);
@@ -64,7 +50,9 @@ void run(const Options& options) {
                                             reports::frontier_cases(scene, options.quick),
                                             options.repeats.value_or(options.effort().repeats)};
     reports::check(measured);
-    const Image truth = truth_of(scene, frame, options);
+    const Image truth = reports::truth_of(
+        scene, frame, {options.reference, options.effort().pixels, options.effort().truth_spp},
+        options.common);
     const reports::Frontier frontier = reports::measure_frontier(scene, frame, truth, measured);
     const std::string results = reports::frontier_json(frontier).dump(2) + "\n";
     reports::write_folder(options.folder,
