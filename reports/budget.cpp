@@ -27,8 +27,12 @@ void check(const BudgetOptions& options) {
         if (budget >= 1) continue;
         throw UsageError("--budgets", fmt::format("{} surfels", budget), "give 1 or more each");
     }
-    if (options.truth_spp < 1)
-        throw UsageError("--spp", fmt::format("{} samples", options.truth_spp), "give 1 or more");
+    // Two batches of 16: with fewer the truth's noise, which is taken off, is overstated.
+    constexpr int fewest = 2 * 16;
+    if (options.truth_spp < fewest)
+        throw UsageError("--spp",
+                         fmt::format("{} samples do not tell a truth's noise", options.truth_spp),
+                         fmt::format("give {} or more", fewest));
     if (options.truths < 2)
         throw UsageError("--truths", fmt::format("{} frames", options.truths), "give 2 or more");
 }

@@ -76,7 +76,7 @@ void add_budget_command(CLI::App& app) {
                     "Surfels a frame, comma-separated (default: 0.3, 1 and 3 % of all)")
         ->delimiter(',');
     command.add_option("--spp", options->budget.truth_spp,
-                       "Samples a pixel of each truth (default: 128)");
+                       "Samples a pixel of each truth, 32 or more (default: 128)");
     command.add_option("--truths", options->budget.truths,
                        "Frames held against a truth of their own (default: 16)");
     command.add_flag("--json", options->json, "Print summary.json on stdout too");

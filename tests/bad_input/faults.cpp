@@ -194,7 +194,7 @@ TEST_CASE("a killed comparison leaves old files or new ones", "[bad-input][fault
 TEST_CASE("a killed study leaves old files or new ones", "[bad-input][faults]") {
     const std::string study =
         GENERATE("ablation s.json --size 16x9 --only octants --quick -o out",
-                 "budget s.json --size 16x9 --spp 2 --truths 2 -o out",
+                 "budget s.json --size 16x9 --spp 32 --truths 2 -o out",
                  "cost s.json --spacings 1 --repeats 1 --size 16x9 -o out",
                  "pictures s.json --size 16x9 --shadow-rays 1 -o out",
                  "sequence s.json --size 16x9 --frames 10 -o out",
