@@ -43,7 +43,7 @@ struct Generations {
 
     /// Radiance that a surface shows of a bounce.
     Spectrum shown(int bounce, const SurfacePoint& point) const {
-        const ddgi::ReceiverPoint receiver{point.position, point.n, point.albedo};
+        const auto receiver = volume.receiver(point.position, point.n, point.albedo);
         if (bounce > 0)
             return volume.model().probe_light(values[std::size_t(bounce - 1)], receiver);
         const auto light = ddgi::direct_light(volume.tracer(), point.position, point.n);
@@ -72,7 +72,7 @@ PointEnergy measure(const Generations& model, const SurfacePoint& point, unsigne
         const float u = (float(ray) + uniform(random)) / rays_per_point;
         const glm::vec3 wi = cosine_direction({u, uniform(random)}, point.n);
         const auto hit = tracer.intersect({point.position, wi}, BackFaces::Hit);
-        if (!hit) E[1] += tracer.world().environment;
+        if (!hit) E[1] += environment_radiance(tracer.world(), wi);
         const bool two_sided =
             hit && tracer.world().materials[std::size_t(hit->material)].two_sided;
         if (!hit || (hit->back && !two_sided)) continue;

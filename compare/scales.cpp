@@ -15,23 +15,29 @@ namespace {
 constexpr int widest_block = 64;
 constexpr std::size_t fewest_blocks = 8;  ///< that a verdict rests on
 
-/// Sums of squared block means, and their number, over the row of blocks that starts at row `top`.
-std::array<double, 2> block_row(const LayerPair& pair, int top, int width) {
-    std::array<double, 2> sums{};
+enum Sum : std::size_t { SquaredMean, IfNoise, Channels, SumCount };
+
+/// Sums over the row of blocks that starts at row `top`.
+std::array<double, SumCount> block_row(const LayerPair& pair, int top, int width) {
+    std::array<double, SumCount> sums{};
     for (int left = 0; left + width <= pair.width; left += width) {
         std::array<double, 3> d{};
-        double pixels = 0;
+        double squares = 0, pixels = 0;
         for (int y = top; y < top + width; ++y)
             for (int x = left; x < left + width; ++x) {
                 const std::size_t i = std::size_t(y) * std::size_t(pair.width) + std::size_t(x);
                 if (!pair.usable[i]) continue;
-                for (std::size_t c = 0; c < 3; ++c)
-                    d[c] += double(pair.test[c][i]) - double(pair.reference[c][i]);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double error = double(pair.test[c][i]) - double(pair.reference[c][i]);
+                    d[c] += error;
+                    squares += error * error;
+                }
                 pixels += 1;
             }
         if (pixels == 0) continue;
-        for (double sum : d) sums[0] += (sum / pixels) * (sum / pixels);
-        sums[1] += 3;
+        for (double sum : d) sums[SquaredMean] += (sum / pixels) * (sum / pixels);
+        sums[IfNoise] += squares / (pixels * pixels);
+        sums[Channels] += 3;
     }
     return sums;
 }
@@ -41,13 +47,12 @@ std::array<double, 2> block_row(const LayerPair& pair, int top, int width) {
 std::vector<ScaleError> error_by_scale(const LayerPair& pair) {
     std::vector<ScaleError> errors;
     for (int width = 1; width <= std::min({widest_block, pair.width, pair.height}); width *= 2) {
-        const auto sums = sum_over_rows<2>(
+        const auto sums = sum_over_rows<SumCount>(
             pair.height / width, [&](int row) { return block_row(pair, row * width, width); });
-        if (sums[1] == 0) break;
-        const double rmse = std::sqrt(sums[0] / sums[1]);
-        const double at_one_pixel = errors.empty() ? rmse : errors.front().rmse;
-        errors.push_back(
-            {width, rmse, at_one_pixel / width, static_cast<std::size_t>(sums[1] / 3)});
+        const double n = sums[Channels];
+        if (n == 0) break;
+        errors.push_back({width, std::sqrt(sums[SquaredMean] / n), std::sqrt(sums[IfNoise] / n),
+                          static_cast<std::size_t>(n / 3)});
     }
     return errors;
 }

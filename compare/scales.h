@@ -20,7 +20,8 @@ struct ScaleError {
 /// The error at block widths 1, 2, 4 ... 64, as far as a whole block fits.
 ///
 /// Independent noise halves with each doubling; a plateau is bias or structure that per-pixel
-/// figures hide. Only whole blocks count; a pixel that is not finite is left out of its block.
+/// figures hide. Only whole blocks count; a pixel that is not finite, or outside a mask, is left
+/// out of its block: the mean of the n others has the variance sum d^2 / n^2 if they are noise.
 std::vector<ScaleError> error_by_scale(const LayerPair& pair);
 
 /// The slope of log2(rmse) against log2(width), least squares: -1 for independent noise, 0 for a

@@ -58,19 +58,16 @@ void add_sample(const View& view, const Ray& ray, PixelSums& sums) {
         sums.direct += environment_radiance(world, ray.direction);
         return;
     }
-    ReceiverPoint point{offset_origin(*hit, hit->n()), hit->n(), hit->albedo};
+    const glm::vec3 position = offset_origin(*hit, hit->n());
     const DirectLight light =
-        direct_light(view.tracer, point.position, point.n, view.options.shadow_rays);
+        direct_light(view.tracer, position, hit->n(), view.options.shadow_rays);
     sums.direct += world.materials[static_cast<std::size_t>(hit->material)].emission +
                    hit->albedo / glm::pi<float>() * light.irradiance;
     sums.shadow_rays += light.shadow_rays;
     sums.ambient += view.model.ambient(hit->albedo);
     if (view.volume != nullptr) {
+        ReceiverPoint point = view.volume->receiver(position, hit->n(), hit->albedo);
         point.to_viewer = -ray.direction;
-        if (view.model.weights() == ProbeWeights::Visibility) {
-            point.seen =
-                seen_probes(view.tracer, view.volume->cache().grid(), point.position, point.n);
-        }
         const Spectrum emitted = view.model.emitted_light(point);
         sums.direct += emitted;
         sums.indirect += view.model.probe_light(view.volume->values(), point) - emitted;

@@ -2,6 +2,7 @@
 #include "ddgi/volume.h"
 
 #include "ddgi/change.h"
+#include "ddgi/seen_probes.h"
 #include "ddgi/stopwatch.h"
 #include "scenes/errors.h"
 
@@ -40,6 +41,14 @@ ProbeVolume::ProbeVolume(const Scene& scene, const DdgiOptions& options)
 }
 
 ProbeVolume::~ProbeVolume() = default;
+
+ReceiverPoint ProbeVolume::receiver(const glm::vec3& position, const glm::vec3& n,
+                                    const Spectrum& albedo) const {
+    ReceiverPoint point{position, n, albedo};
+    if (model().weights() == ProbeWeights::Visibility)
+        point.seen = seen_probes(tracer(), grid_, position, n);
+    return point;
+}
 
 const RayTracer& ProbeVolume::tracer() const { return stage_->tracer; }
 

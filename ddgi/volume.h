@@ -31,6 +31,10 @@ class ProbeVolume {
     /// ProbeModel::updates_of_still() times.
     void converge();
 
+    /// A surface point, `position` just off it, with the probes that the model asks for.
+    ReceiverPoint receiver(const glm::vec3& position, const glm::vec3& n,
+                           const Spectrum& albedo) const;
+
     const RayTracer& tracer() const;
     const ProbeModel& model() const { return *setup_.model; }
     std::span<const float> values() const { return values_; }

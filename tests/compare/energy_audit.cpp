@@ -6,6 +6,9 @@
 #include <glm/gtc/constants.hpp>
 
 #include "compare/surface_points.h"
+#include "ddgi/seen_probes.h"
+#include "ddgi/volume.h"
+#include "scenes/panorama.h"
 #include "tests/ddgi/small_scenes.h"
 
 using namespace plumbline;
@@ -75,6 +78,46 @@ TEST_CASE("the audit of the thesis shows one bounce in proportion to its constan
     CHECK(once.direct == Approx(other.direct).epsilon(1e-5));
     // In a closed room all that leaves arrives: the noise of 64 rays at 2000 points.
     CHECK(once.bounces[0].arriving == Approx(once.direct).epsilon(0.05));
+}
+
+TEST_CASE("the audit is of the light that a picture shows: of the probes that a surface sees",
+          "[compare][audit]") {
+    const Scene scene = ddgi::room_with_moving_block();
+    const ddgi::DdgiOptions options;
+    ddgi::ProbeVolume volume(scene, options);
+    volume.move_to(0);
+    volume.update();
+    const SurfacePoints surface = surface_points(volume.tracer(), points);
+    double seen = 0, all = 0;
+    for (const SurfacePoint& point : surface.points) {
+        ddgi::ReceiverPoint receiver{point.position, point.n, point.albedo};
+        const auto flux = [&] {
+            const Spectrum Lo = volume.model().probe_light(volume.values(), receiver);
+            return double(Lo.r + Lo.g + Lo.b) / 3 * glm::pi<double>() * surface.area;
+        };
+        all += flux();
+        receiver.seen =
+            ddgi::seen_probes(volume.tracer(), volume.cache().grid(), point.position, point.n);
+        seen += flux();
+    }
+    const EnergyAudit audit = energy_audit(scene, 0, options, 1, points);
+    REQUIRE(audit.unseen_area == Approx(surface.covered_area));
+    CHECK(std::abs(all / seen - 1) > 1e-4);
+    CHECK(audit.bounces[0].shown == Approx(seen).epsilon(1e-5));
+}
+
+TEST_CASE("the audit gathers an environment, be it even or a picture", "[compare][audit]") {
+    Scene scene = ddgi::room_with_moving_block();
+    scene.objects.erase(scene.objects.begin() + 3);  // open on one side
+    scene.environment = Spectrum(.25f);
+    const double even = audit_of(scene, "conserving", 1).bounces[0].arriving;
+    auto panorama = std::make_shared<Panorama>();
+    panorama->width = 4;
+    panorama->height = 2;
+    panorama->radiance.assign(8, Spectrum(.25f));
+    scene.environment = Spectrum(1.f);
+    scene.environment_image = EnvironmentImage{panorama, 0.f};
+    CHECK(audit_of(scene, "conserving", 1).bounces[0].arriving == Approx(even).epsilon(1e-4));
 }
 
 TEST_CASE("directions around a normal have the moments of a cosine", "[compare][audit]") {

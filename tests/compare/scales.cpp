@@ -23,6 +23,23 @@ TEST_CASE("independent noise halves with each doubling of the block", "[compare]
     CHECK(scale_verdict(errors).starts_with("noise"));
 }
 
+TEST_CASE("independent noise is known as noise where a mask leaves few of a block's pixels",
+          "[compare]") {
+    std::mt19937 random(2);
+    std::normal_distribution<float> normal;
+    const Image zero = image_of(512, 512, [](int, int, int) { return 0.f; });
+    const Image noise = image_of(512, 512, [&](int, int, int) { return normal(random); });
+    const bool even = GENERATE(true, false);
+    const Image mask = image_of(512, 512, [&](int x, int y, int) {
+        return (even ? x % 4 : (x * 7919 + y * y * 104729) % 97 % 10) == 0 ? 1.f : 0.f;
+    });
+    const auto errors = error_by_scale(pair_layers(zero, noise, "", &mask));
+    REQUIRE(errors.size() == 7);
+    CHECK(scale_verdict(errors).starts_with("noise"));
+    // 64 blocks, whose channels are three: 1 / sqrt(2 * 192) is .05.
+    CHECK(errors.back().rmse == Approx(errors.back().if_noise).epsilon(0.15));
+}
+
 TEST_CASE("a constant bias is the same at every block width", "[compare]") {
     const Image zero = image_of(70, 40, [](int, int, int) { return 0.f; });
     const Image bias = image_of(70, 40, [](int, int, int) { return -0.25f; });
