@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 namespace plumbline::ddgi {
 namespace {
@@ -15,6 +16,35 @@ constexpr int map_side = 16;  // [Majercik et al. 2019]
 /// In spacings, one and a half diagonals of a cell: beyond any point that looks the probe up, so
 /// that what is farther need not spread the moments, nor a miss make them infinite.
 const float farthest = 1.5f * std::sqrt(3.f);
+
+/// Sums of weights below lose digits to those that are no normal floats, from 1e-38 on.
+constexpr float least_weight = 1e-30f;
+
+/// What the rays near a texel say of it, each with its weight.
+struct Sums {
+    float weight = 0.f;
+    float distance = 0.f;
+    float square = 0.f;
+};
+
+/// Sums with weights (cos / largest cos)^sharpness, which keep the ratios of cos^sharpness where
+/// that underflows for every ray: the nearest ray weighs 1.
+Sums relative_sums(const OctahedralTexels& texels, std::size_t texel, int sharpness,
+                   std::span<const glm::vec3> directions, std::span<const float> distances) {
+    const std::size_t lane = texel % OctahedralTexels::lanes;
+    float largest = 0.f;
+    for (const glm::vec3& w : directions)
+        largest = std::max(largest, texels.lobes(texel - lane, w, 1)[lane]);
+    assert(largest > 0.f);  // rays are all around: one is well within a right angle
+    Sums sums;
+    for (std::size_t r = 0; r < directions.size(); ++r) {
+        const float lobe = texels.lobes(texel - lane, directions[r] / largest, sharpness)[lane];
+        sums.weight += lobe;
+        sums.distance += lobe * distances[r];
+        sums.square += lobe * distances[r] * distances[r];
+    }
+    return sums;
+}
 
 }  // namespace
 
@@ -43,6 +73,7 @@ void DistanceMoments::take_probe(const ProbeDistances& distances, const Surfels&
     constexpr std::size_t lanes = OctahedralTexels::lanes;
     using Lanes = OctahedralTexels::Lanes;
     const auto rays = static_cast<std::size_t>(surfels.per_probe);
+    const auto directions = std::span(surfels.direction).subspan(probe * rays, rays);
     std::vector<float> distance(rays);
     for (std::size_t r = 0; r < rays; ++r) {
         const std::size_t i = probe * rays + r;
@@ -52,8 +83,7 @@ void DistanceMoments::take_probe(const ProbeDistances& distances, const Surfels&
     for (std::size_t first = 0; first < texels_.size(); first += lanes) {
         Lanes weight{}, sum{}, sum_of_squares{};
         for (std::size_t r = 0; r < rays; ++r) {
-            const glm::vec3& w = surfels.direction[probe * rays + r];
-            const Lanes lobe = texels_.lobes(first, w, sharpness_);
+            const Lanes lobe = texels_.lobes(first, directions[r], sharpness_);
             for (std::size_t i = 0; i < lanes; ++i) {
                 weight[i] += lobe[i];
                 sum[i] += lobe[i] * distance[r];
@@ -61,11 +91,13 @@ void DistanceMoments::take_probe(const ProbeDistances& distances, const Surfels&
             }
         }
         for (std::size_t i = 0; i < lanes; ++i) {
-            assert(weight[i] > 0.f);  // rays are all around: one is well within a right angle
+            Sums sums{weight[i], sum[i], sum_of_squares[i]};
+            if (sums.weight < least_weight)
+                sums = relative_sums(texels_, first + i, sharpness_, directions, distance);
             Moments& moments = moments_[probe * texels_.size() + first + i];
-            moments.mean = kept * moments.mean + (1.f - kept) * sum[i] / weight[i];
+            moments.mean = kept * moments.mean + (1.f - kept) * sums.distance / sums.weight;
             moments.mean_square =
-                kept * moments.mean_square + (1.f - kept) * sum_of_squares[i] / weight[i];
+                kept * moments.mean_square + (1.f - kept) * sums.square / sums.weight;
         }
     }
 }

@@ -26,7 +26,7 @@ struct Setting {
 
 /// A longer memory than any still can be updated for.
 constexpr double longest_memory = .999;
-/// Beyond, every texel takes its nearest ray alone.
+/// A lobe a third as wide as a texel: of few rays a texel takes the nearest alone.
 constexpr double sharpest = 1000.;
 
 constexpr std::array<Setting, 14> known_settings{

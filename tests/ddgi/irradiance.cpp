@@ -88,6 +88,14 @@ TEST_CASE("furnace: what surfels do not take in is lost at every bounce",
         REQUIRE(value == Approx(expected).epsilon(.03));
 }
 
+TEST_CASE("furnace: few rays serve the sharpest lobes of distance",
+          "[ddgi][irradiance][analytic]") {
+    DdgiOptions few_rays = irradiance({{"depthSharpness", 1000}});
+    few_rays.surfels = GENERATE(8, 16);
+    const DdgiResult result = render(closed_room(Spectrum(.5f), Spectrum(1.f)), 0, few_rays);
+    for (const float value : result.image.channel("R")) REQUIRE(value == Approx(2.).epsilon(1e-3));
+}
+
 TEST_CASE("the radius of irradiance is the albedo, or what memory makes of it",
           "[ddgi][irradiance][analytic]") {
     const double rho = GENERATE(.25, .7);
