@@ -33,20 +33,24 @@ int add_material(Material material, const std::string& owner, const JsonView& fi
 std::vector<int> obj_materials(const JsonView& file, const ObjFile& obj,
                                const std::filesystem::path& path, const std::string& owner,
                                SceneBeingRead& into) {
-    std::vector<Material> known;
+    std::vector<ObjMaterial> known;
     for (const std::string& library : obj.libraries) {
         const auto materials = read_mtl(file_inside(path.parent_path(), library, file));
         known.insert(known.end(), materials.begin(), materials.end());
     }
     std::vector<int> indices;
     for (const std::string& name : obj.materials) {
-        const auto found = std::find_if(known.begin(), known.end(),
-                                        [&](const Material& m) { return m.name == name; });
+        const auto found = std::find_if(known.begin(), known.end(), [&](const ObjMaterial& m) {
+            return m.material.name == name;
+        });
         if (found == known.end()) {
             file.fail("uses the material " + in_quotes(name) + ", which its .mtl does not define",
                       "give \"material\" beside \"file\"");
         }
-        indices.push_back(add_material(*found, owner, file, into));
+        for (const std::string& what : found->left_out) {
+            leave_out(file, "material " + in_quotes(name) + ": " + what, into.scene);
+        }
+        indices.push_back(add_material(found->material, owner, file, into));
     }
     return indices;
 }

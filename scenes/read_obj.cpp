@@ -16,7 +16,8 @@
 namespace plumbline {
 namespace {
 
-/// Statements whose absence from the picture loses nothing.
+/// Statements whose absence from the picture loses nothing; "vt" places textures, which read_mtl
+/// says to be left out.
 const std::set<std::string_view> without_effect = {"vt", "o", "g"};
 
 /// An OBJ file while it is read.
@@ -133,23 +134,6 @@ ObjFile read_obj(const std::filesystem::path& path) {
     }
     read.file.left_out.assign(read.left_out.begin(), read.left_out.end());
     return std::move(read.file);
-}
-
-std::vector<Material> read_mtl(const std::filesystem::path& path) {
-    TextLines lines(path);
-    std::vector<Material> materials;
-    while (lines.next()) {
-        const std::string_view kind = lines.words().front();
-        if (kind == "newmtl") {
-            materials.emplace_back();
-            materials.back().name = printable(lines.rest());
-        } else if (kind == "Kd" || kind == "Ke") {
-            if (materials.empty()) lines.fail("stands before any newmtl", "begin with newmtl NAME");
-            const Spectrum value(lines.number(1), lines.number(2), lines.number(3));
-            (kind == "Kd" ? materials.back().albedo : materials.back().emission) = value;
-        }
-    }
-    return materials;
 }
 
 }  // namespace plumbline

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,13 @@ struct ObjFile {
 /// Own code rather than tinyobjloader, which reads a broken number as zero and knows no lines.
 ObjFile read_obj(const std::filesystem::path& path);
 
+/// A material of a .mtl file.
+struct ObjMaterial {
+    Material material;
+    std::set<std::string> left_out;  ///< what it asks for that is not read
+};
+
 /// The materials of a .mtl file: Kd is the albedo, Ke the emission. Throws SceneError.
-std::vector<Material> read_mtl(const std::filesystem::path& path);
+std::vector<ObjMaterial> read_mtl(const std::filesystem::path& path);
 
 }  // namespace plumbline

@@ -23,6 +23,15 @@ std::string scene_with(const std::string& mesh) {
         "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}})";
 }
 
+/// What a scene says that it leaves out of square.obj with these materials.
+std::vector<std::string> left_out_of(const std::string& mtl) {
+    const TemporaryFolder folder;
+    folder.write("square.mtl", mtl);
+    folder.write("square.obj", square);
+    return load_scene(folder.write("s.json", scene_with(R"({"file": "square.obj"})")))
+        .not_simulated;
+}
+
 /// What is said when an OBJ of this text is loaded, from its name on.
 std::string obj_complaint(const std::string& obj) {
     const TemporaryFolder folder;
@@ -101,6 +110,31 @@ TEST_CASE("a glTF file brings its objects below the one that names it", "[scenes
     }
     CHECK(scene.lights.empty());
     CHECK(scene.not_simulated == std::vector<std::string>{"room.gltf: its lights"});
+}
+
+TEST_CASE("what a .mtl file asks for beyond albedo and emission is said to be left out",
+          "[scenes][mesh-files]") {
+    CHECK(left_out_of(paints).empty());
+    CHECK(left_out_of("newmtl red paint\nKa 1 1 1\nKd 1 0 0\nKs 0 0 0\nNs 96\nNi 1.45\nd 1.0\n"
+                      "Tr 0\nTf 1 1 1\nillum 2\nmap_Ka a.png\nPr 0.5\nPm 0\nPc 0\nnewmtl dark\n")
+              .empty());
+    const std::string who = "square.obj: material \"red paint\": ";
+    const auto noted = [&](const std::string& statement) {
+        return left_out_of("newmtl dark\nnewmtl red paint\n" + statement + "\n");
+    };
+    const auto line = [&](const std::string& what) { return std::vector{who + what}; };
+    CHECK(noted("map_Kd -s 2 2 2 wood.png") == line("albedo texture"));
+    CHECK(noted("map_Ke lamp.png") == line("emission texture"));
+    CHECK(noted("map_Bump -bm 1 bumps.png") == line("normal map"));
+    CHECK(noted("d 0.5\nmap_d leaf.png\nTr 0.5") == line("transparency"));
+    CHECK(noted("d -halo 1") == line("transparency"));
+    CHECK(noted("Ks 0 0.5 0") == line("specular reflection: the surface is taken as matt"));
+    CHECK(noted("map_Ks shine.png") == line("specular reflection: the surface is taken as matt"));
+    CHECK(noted("Pm 1") == line("metallic reflection: the surface is taken as matt"));
+    CHECK(noted("Pc 0.3") == line("statements \"Pc\""));
+    CHECK(noted("illum 5") == line("illumination model 5: the surface is taken as matt"));
+    // Of materials that the OBJ does not use nothing is missed.
+    CHECK(left_out_of(paints + "newmtl glass\nd 0.1\n").empty());
 }
 
 TEST_CASE("a bad OBJ file gets one line that names its line", "[scenes][bad-input]") {
