@@ -76,7 +76,8 @@ void add_bad_inputs(Seeds& seeds) {
     const std::string coloured_square =
         "mtllib m.mtl\nusemtl a b\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
         "vt 0 0\nvn 0 0 1\ns off\nf 1/1/1 2/1/1 3/1/1 -1\n";
-    seeds.add("obj", coloured_square + '\0' + "newmtl a b\nKd .5 .5 .5\nKe 0 0 1\n# end\n");
+    seeds.add("obj", coloured_square + '\0' +
+                         "newmtl a b\nKd .5 .5 .5\nKe 0 0 1\nd .5\nillum 2\nmap_Kd p.png\n# end\n");
 }
 
 /// A small picture of a format, as OpenImageIO's name of it, type of value and other settings.
