@@ -95,8 +95,8 @@ struct Renumber {
 /// Puts a glTF file's objects below the scene's last one, with their animation.
 void add_gltf(const JsonView& item, const JsonView& file, const std::filesystem::path& path,
               SceneBeingRead& into) {
-    Scene brought = read_gltf_scene(path);
     Scene& scene = into.scene;
+    Scene brought = read_gltf_objects(path, scene.frames_per_second);
     const int group = static_cast<int>(scene.objects.size()) - 1;
     const std::string owner = scene.objects.back().name;
     std::vector<int> materials;

@@ -44,6 +44,33 @@ std::string gltf_place(const GltfBeingRead& gltf, std::string_view list, std::si
     return member.empty() ? pointer : fmt::format("{}: {}", pointer, member);
 }
 
+Scene read_gltf(const std::filesystem::path& path, std::optional<float> host_rate) {
+    const GltfDocument document = open_gltf(path);
+    GltfBeingRead gltf(document, path.parent_path(), host_rate);
+    gltf.scene.name = printable(path.stem().string());
+    if (const auto shown = scene_shown(gltf.root)) {
+        if (const auto name = shown->find("name")) gltf.scene.name = name->text();
+        if (const auto extras = plumbline_extras(*shown))
+            read_scene_extras(*extras, path.parent_path(), gltf);
+    }
+    for (const JsonView& used : gltf.root.items("extensionsUsed")) {
+        const std::string name = used.text();
+        if (std::find(std::begin(known_extensions), std::end(known_extensions), name) ==
+            std::end(known_extensions)) {
+            gltf.note("extension " + name);
+        }
+    }
+    read_gltf_materials(gltf);
+    read_gltf_meshes(gltf);
+    read_gltf_nodes(gltf);
+    read_gltf_animation(gltf);
+    read_gltf_carried(gltf);
+    check_scene(gltf.scene, [&](std::string_view list, std::size_t index, std::string_view member) {
+        return path.string() + ": " + gltf_place(gltf, list, index, member);
+    });
+    return std::move(gltf.scene);
+}
+
 }  // namespace
 
 std::string UniqueNames::operator()(const JsonView& item, const std::string& fallback,
@@ -57,8 +84,10 @@ std::string UniqueNames::operator()(const JsonView& item, const std::string& fal
     return unique;
 }
 
-GltfBeingRead::GltfBeingRead(const GltfDocument& document, const std::filesystem::path& folder_)
+GltfBeingRead::GltfBeingRead(const GltfDocument& document, const std::filesystem::path& folder_,
+                             std::optional<float> host_rate_)
     : folder(folder_),
+      host_rate(host_rate_),
       root(document.json),
       accessors(document),
       nodes(root.items("nodes")),
@@ -85,31 +114,10 @@ std::optional<JsonView> extension(const JsonView& item, const std::string& name)
     return extensions ? extensions->find(name) : std::nullopt;
 }
 
-Scene read_gltf_scene(const std::filesystem::path& path) {
-    const GltfDocument document = open_gltf(path);
-    GltfBeingRead gltf(document, path.parent_path());
-    gltf.scene.name = printable(path.stem().string());
-    if (const auto shown = scene_shown(gltf.root)) {
-        if (const auto name = shown->find("name")) gltf.scene.name = name->text();
-        if (const auto extras = plumbline_extras(*shown))
-            read_scene_extras(*extras, path.parent_path(), gltf);
-    }
-    for (const JsonView& used : gltf.root.items("extensionsUsed")) {
-        const std::string name = used.text();
-        if (std::find(std::begin(known_extensions), std::end(known_extensions), name) ==
-            std::end(known_extensions)) {
-            gltf.note("extension " + name);
-        }
-    }
-    read_gltf_materials(gltf);
-    read_gltf_meshes(gltf);
-    read_gltf_nodes(gltf);
-    read_gltf_animation(gltf);
-    read_gltf_carried(gltf);
-    check_scene(gltf.scene, [&](std::string_view list, std::size_t index, std::string_view member) {
-        return path.string() + ": " + gltf_place(gltf, list, index, member);
-    });
-    return std::move(gltf.scene);
+Scene read_gltf_scene(const std::filesystem::path& path) { return read_gltf(path, std::nullopt); }
+
+Scene read_gltf_objects(const std::filesystem::path& path, float frames_per_second) {
+    return read_gltf(path, frames_per_second);
 }
 
 }  // namespace plumbline

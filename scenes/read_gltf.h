@@ -19,6 +19,10 @@ namespace plumbline {
 /// Throws SceneError.
 Scene read_gltf_scene(const std::filesystem::path& path);
 
+/// Reads glTF 2.0 for the objects of a scene that plays this many frames a second, in which their
+/// keyframes are. Throws SceneError.
+Scene read_gltf_objects(const std::filesystem::path& path, float frames_per_second);
+
 /// Gives names that are missing or stand twice, which glTF allows, a number.
 class UniqueNames {
  public:
@@ -30,9 +34,12 @@ class UniqueNames {
 
 /// A glTF file while it is read.
 struct GltfBeingRead {
-    GltfBeingRead(const GltfDocument& document, const std::filesystem::path& folder);
+    GltfBeingRead(const GltfDocument& document, const std::filesystem::path& folder,
+                  std::optional<float> host_rate);
 
     std::filesystem::path folder;  ///< of the file
+    /// Frames a second of the scene that the objects are read for; none: the file's own scene.
+    std::optional<float> host_rate;
     JsonView root;
     GltfAccessors accessors;
     std::vector<JsonView> nodes;
@@ -55,6 +62,8 @@ struct GltfBeingRead {
     /// For each node, its object, or -1: leaves that only carry a light or a camera have none.
     std::vector<int> node_objects;
 
+    /// Frames a second of all keyframes.
+    float rate() const { return host_rate.value_or(scene.frames_per_second); }
     /// Adds a line to Scene::not_simulated unless it stands there.
     void note(const std::string& line);
 };

@@ -35,19 +35,30 @@ struct Keys {
     }
 };
 
+/// The same time at another rate; the same bits at the same one.
+float frame_at(float frame, float rate, float other_rate) {
+    return static_cast<float>(double{frame} * double{other_rate} / double{rate});
+}
+
 /// Keyframes in frames; exactly as they were if Plumbline wrote them, since seconds would round.
 std::vector<float> frames_of(const JsonView& sampler, GltfBeingRead& gltf) {
+    const float own_rate = gltf.scene.frames_per_second;
     std::vector<float> frames = gltf.accessors.floats(sampler.at("input"), {"SCALAR"}).numbers;
-    for (float& time : frames) time *= gltf.scene.frames_per_second;
-    const auto extras = plumbline_extras(sampler);
-    if (!extras) return frames;
     std::vector<float> exact;
-    for (const JsonView& frame : extras->at("frames").items()) exact.push_back(frame.real());
+    if (const auto extras = plumbline_extras(sampler)) {
+        for (const JsonView& frame : extras->at("frames").items()) exact.push_back(frame.real());
+    }
     constexpr float rounding = 1e-5f;
     const bool same = std::equal(
-        frames.begin(), frames.end(), exact.begin(), exact.end(),
-        [](float a, float b) { return std::abs(a - b) <= rounding * (1.f + std::abs(b)); });
-    return same ? exact : frames;
+        frames.begin(), frames.end(), exact.begin(), exact.end(), [&](float seconds, float frame) {
+            return std::abs(seconds * own_rate - frame) <= rounding * (1.f + std::abs(frame));
+        });
+    if (!same) {
+        for (float& time : frames) time *= gltf.rate();
+        return frames;
+    }
+    for (float& frame : exact) frame = frame_at(frame, own_rate, gltf.rate());
+    return exact;
 }
 
 Keys read_keys(const JsonView& sampler, const char* type, GltfBeingRead& gltf) {
@@ -124,7 +135,7 @@ Track<glm::vec4> rows_of(const Keys& keys, float frames_per_second) {
 }
 
 Track<glm::vec3> vectors(const JsonView& sampler, GltfBeingRead& gltf) {
-    const auto rows = rows_of(read_keys(sampler, "VEC3", gltf), gltf.scene.frames_per_second);
+    const auto rows = rows_of(read_keys(sampler, "VEC3", gltf), gltf.rate());
     Track<glm::vec3> track{rows.interpolation, rows.frames, {}};
     for (const glm::vec4& row : rows.values) track.values.emplace_back(row);
     return track;
@@ -132,7 +143,7 @@ Track<glm::vec3> vectors(const JsonView& sampler, GltfBeingRead& gltf) {
 
 Track<glm::quat> rotations(const JsonView& sampler, GltfBeingRead& gltf) {
     const Keys keys = read_keys(sampler, "VEC4", gltf);
-    const auto rows = rows_of(keys, gltf.scene.frames_per_second);
+    const auto rows = rows_of(keys, gltf.rate());
     Track<glm::quat> track{rows.interpolation, rows.frames, {}};
     for (const glm::vec4& row : rows.values) {
         const glm::quat written(row.w, row.x, row.y, row.z);
@@ -182,13 +193,14 @@ float last_frame(const Track<T>& track) {
 }
 
 /// As many frames as the animation lasts, for a file that does not say.
-int frames_needed(const Scene& scene, const JsonView& animation) {
+int frames_needed(const GltfBeingRead& gltf, const JsonView& animation) {
     float last = 0.f;
-    for (const Object& object : scene.objects) {
+    for (const Object& object : gltf.scene.objects) {
         last =
             std::max({last, last_frame(object.animation.translation),
                       last_frame(object.animation.rotation), last_frame(object.animation.scale)});
     }
+    last = frame_at(last, gltf.rate(), gltf.scene.frames_per_second);
     if (last < max_frames) return static_cast<int>(std::ceil(last)) + 1;
     animation.fail(fmt::format("lasts {:g} frames", last),
                    fmt::format("the longest has {}", max_frames));
@@ -205,7 +217,7 @@ void read_gltf_animation(GltfBeingRead& gltf) {
     for (const JsonView& channel : animation.at("channels").items()) {
         read_channel(channel, samplers, gltf);
     }
-    if (!gltf.frames_given) gltf.scene.frames = frames_needed(gltf.scene, animation);
+    if (!gltf.frames_given) gltf.scene.frames = frames_needed(gltf, animation);
 }
 
 }  // namespace plumbline

@@ -32,12 +32,13 @@ void read_materials(const JsonView& list, SceneBeingRead& into) {
 
 void read_parts(const JsonView& root, SceneBeingRead& into) {
     Scene& scene = into.scene;
+    // Before the objects, since files that these bring are read at the scene's frame rate.
+    read_settings(root, into.folder, scene);
     if (const auto list = root.find("materials")) read_materials(*list, into);
     if (const auto list = root.find("meshes")) read_meshes(*list, into);
     if (const auto list = root.find("objects")) read_objects(*list, into);
     if (const auto list = root.find("lights")) read_lights(*list, into);
     scene.camera = read_camera(root.at("camera"));
-    read_settings(root, into.folder, scene);
 }
 
 /// Places in a JSON file: pointers, which differ from the scene's own indices where objects were

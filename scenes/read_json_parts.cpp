@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <glm/trigonometric.hpp>
 
 #include "scenes/input_files.h"
@@ -139,7 +141,13 @@ void read_settings(const JsonView& item, const std::filesystem::path& folder, Sc
     if (const auto frame = item.find("report_frame")) {
         scene.report_frame = frame->integer(0, max_frames - 1);
     }
-    if (const auto rate = item.find("frames_per_second")) scene.frames_per_second = rate->real();
+    if (const auto rate = item.find("frames_per_second")) {
+        scene.frames_per_second = rate->real();
+        // Told here, since keyframes are read by it before the scene is checked.
+        if (!(scene.frames_per_second > 0.f)) {
+            rate->fail(fmt::format("is {:g}", scene.frames_per_second), "it is above 0");
+        }
+    }
     if (const auto probes = item.find("probes")) scene.probes = read_probes(*probes);
     if (const auto thesis = item.find("thesis")) scene.thesis = read_thesis(*thesis);
 }

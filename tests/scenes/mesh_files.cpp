@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "scenes/errors.h"
 #include "scenes/scene_files.h"
@@ -16,8 +18,8 @@ const std::string square =
     "usemtl red paint\nf 1/1 2/2 3\nusemtl dark\nf -4 -2 -1\n";
 const std::string paints = "newmtl red paint\nKd 0.8 0.1 0.1\nnewmtl dark\nKd 0 0 0\nKe 3 2 1\n";
 
-std::string scene_with(const std::string& mesh) {
-    return R"({"name": "s", "materials": [{"name": "grey", "albedo": 0.5}],
+std::string scene_with(const std::string& mesh, const std::string& settings = "") {
+    return R"({"name": "s", )" + settings + R"("materials": [{"name": "grey", "albedo": 0.5}],
         "objects": [{"name": "thing", "mesh": )" +
            mesh + R"(, "translation": [0, 0, 7]}],
         "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}})";
@@ -30,6 +32,32 @@ std::vector<std::string> left_out_of(const std::string& mtl) {
     folder.write("square.obj", square);
     return load_scene(folder.write("s.json", scene_with(R"({"file": "square.obj"})")))
         .not_simulated;
+}
+
+/// A cube that moves along x through these frames, 60 a second.
+Scene moving_cube(const std::vector<float>& frames, const std::vector<float>& x) {
+    Scene scene;
+    scene.name = "cube";
+    scene.materials.emplace_back().name = "grey";
+    Object& cube = scene.objects.emplace_back();
+    cube.name = "cube";
+    cube.shape = Box{glm::vec3(-1.f), glm::vec3(1.f), {}};
+    cube.animation.translation.frames = frames;
+    for (const float value : x) cube.animation.translation.values.emplace_back(value, 0.f, 0.f);
+    scene.frames = 1000;
+    return scene;
+}
+
+nlohmann::json json_at(const std::filesystem::path& path) {
+    return nlohmann::json::parse(std::ifstream(path));
+}
+
+/// The keyframes of the cube in cube.gltf, once a scene of this rate brings it.
+Track<glm::vec3> brought_track(const TemporaryFolder& folder, const std::string& rate) {
+    const std::string settings = "\"frames\": 999, \"frames_per_second\": " + rate + ", ";
+    const std::string path =
+        folder.write("s.json", scene_with(R"({"file": "cube.gltf"})", settings));
+    return load_scene(path).objects[1].animation.translation;
 }
 
 /// What is said when an OBJ of this text is loaded, from its name on.
@@ -110,6 +138,57 @@ TEST_CASE("a glTF file brings its objects below the one that names it", "[scenes
     }
     CHECK(scene.lights.empty());
     CHECK(scene.not_simulated == std::vector<std::string>{"room.gltf: its lights"});
+}
+
+TEST_CASE("a glTF file's animation lasts as long in a scene of any frame rate",
+          "[scenes][mesh-files]") {
+    const TemporaryFolder folder;
+    save_scene(moving_cube({0, 1.5f, 60}, {0, 1, 2}), folder / "cube.gltf");
+    CHECK(brought_track(folder, "30").frames == std::vector<float>{0, .75f, 30});
+    CHECK(brought_track(folder, "60").frames == std::vector<float>{0, 1.5f, 60});
+    CHECK(brought_track(folder, "240").frames == std::vector<float>{0, 6, 240});
+    CHECK_THROWS_WITH(brought_track(folder, "0"),
+                      Catch::EndsWith("/frames_per_second: is 0; it is above 0"));
+
+    // As another program writes it, in seconds alone.
+    nlohmann::json gltf = json_at(folder / "cube.gltf");
+    gltf.erase("scenes");
+    gltf["scenes"] = {{{"nodes", {0}}}};
+    for (nlohmann::json& sampler : gltf["animations"][0]["samplers"]) sampler.erase("extras");
+    folder.write("cube.gltf", gltf.dump());
+    CHECK(brought_track(folder, "30").frames == std::vector<float>{0, .75f, 30});
+    CHECK(brought_track(folder, "24").frames == std::vector<float>{0, .6f, 24});
+}
+
+TEST_CASE("keyframes of a glTF file keep their bits in a scene of its own frame rate",
+          "[scenes][mesh-files]") {
+    const TemporaryFolder folder;
+    Scene cube = moving_cube({.1f, 1.f / 3.f, 17.7f, 100.3f}, {0, 1, 2, 3});
+    cube.frames_per_second = 23.976f;
+    save_scene(cube, folder / "cube.gltf");
+    CHECK(brought_track(folder, "23.976").frames == cube.objects[0].animation.translation.frames);
+    save_scene(load_scene((folder / "s.json").string()), folder / "again.gltf");
+    CHECK(load_scene((folder / "again.gltf").string()).objects[1].animation ==
+          cube.objects[0].animation);
+}
+
+TEST_CASE("a spline in a glTF file is met at each whole frame of the scene that brings it",
+          "[scenes][mesh-files]") {
+    const TemporaryFolder folder;
+    // Two keys, each between its tangents: from 0 to 1 in a second, flat at both ends.
+    save_scene(moving_cube({0, 60, 70, 80, 90, 100}, {0, 0, 0, 0, 1, 0}), folder / "cube.gltf");
+    nlohmann::json gltf = json_at(folder / "cube.gltf");
+    nlohmann::json& sampler = gltf["animations"][0]["samplers"][0];
+    sampler.erase("extras");
+    sampler["interpolation"] = "CUBICSPLINE";
+    gltf["accessors"][sampler["input"].get<std::size_t>()]["count"] = 2;
+    folder.write("cube.gltf", gltf.dump());
+    const Track<glm::vec3> track = brought_track(folder, "7");
+    REQUIRE(track.frames == std::vector<float>{0, 1, 2, 3, 4, 5, 6, 7});
+    for (std::size_t i = 0; i < track.frames.size(); ++i) {
+        const float t = track.frames[i] / 7.f;
+        CHECK(track.values[i].x == Approx(t * t * (3.f - 2.f * t)).margin(1e-6));
+    }
 }
 
 TEST_CASE("what a .mtl file asks for beyond albedo and emission is said to be left out",
