@@ -118,8 +118,10 @@ void add_gltf(const JsonView& item, const JsonView& file, const std::filesystem:
         scene.objects.push_back(std::move(object));
         into.object_places.push_back(item.pointer());
     }
-    if (!brought.lights.empty()) leave_out(file, "its lights", scene);
     for (const std::string& what : brought.not_simulated) leave_out(file, what, scene);
+    if (!brought.length_unit.empty() && brought.length_unit != scene.length_unit) {
+        leave_out(file, "its unit of length, " + in_quotes(brought.length_unit), scene);
+    }
 }
 
 }  // namespace

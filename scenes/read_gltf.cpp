@@ -44,6 +44,13 @@ std::string gltf_place(const GltfBeingRead& gltf, std::string_view list, std::si
     return member.empty() ? pointer : fmt::format("{}: {}", pointer, member);
 }
 
+/// Notes what the scene as a whole says that its objects alone do not bring.
+void note_scene_left_out(GltfBeingRead& gltf) {
+    if (gltf.scene.environment != Spectrum(0.f)) gltf.note("its environment");
+    if (gltf.scene.probes) gltf.note("its probes");
+    if (gltf.scene.thesis) gltf.note("its constants of the thesis");
+}
+
 Scene read_gltf(const std::filesystem::path& path, std::optional<float> host_rate) {
     const GltfDocument document = open_gltf(path);
     GltfBeingRead gltf(document, path.parent_path(), host_rate);
@@ -65,6 +72,7 @@ Scene read_gltf(const std::filesystem::path& path, std::optional<float> host_rat
     read_gltf_nodes(gltf);
     read_gltf_animation(gltf);
     read_gltf_carried(gltf);
+    if (host_rate) note_scene_left_out(gltf);
     check_scene(gltf.scene, [&](std::string_view list, std::size_t index, std::string_view member) {
         return path.string() + ": " + gltf_place(gltf, list, index, member);
     });

@@ -20,7 +20,8 @@ namespace plumbline {
 Scene read_gltf_scene(const std::filesystem::path& path);
 
 /// Reads glTF 2.0 for the objects of a scene that plays this many frames a second, in which their
-/// keyframes are. Throws SceneError.
+/// keyframes are. Scene::not_simulated tells besides what a whole scene has and they do not bring:
+/// lights, a camera, an environment, probes, the thesis's constants. Throws SceneError.
 Scene read_gltf_objects(const std::filesystem::path& path, float frames_per_second);
 
 /// Gives names that are missing or stand twice, which glTF allows, a number.

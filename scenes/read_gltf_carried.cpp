@@ -92,6 +92,9 @@ std::optional<JsonView> gltf_light_of(const JsonView& node) {
 }
 
 void read_gltf_carried(GltfBeingRead& gltf) {
+    const std::vector<std::string> noted_before = gltf.scene.not_simulated;
+    bool any_light = false;
+    bool any_camera = false;
     for (std::size_t i = 0; i < gltf.nodes.size(); ++i) {
         const auto light = gltf_light_of(gltf.nodes[i]);
         const auto camera = gltf.nodes[i].find("camera");
@@ -99,8 +102,17 @@ void read_gltf_carried(GltfBeingRead& gltf) {
         const GltfCarrier at = carrier(i, gltf);
         if (light) read_gltf_light(*light, at, gltf);
         if (camera) read_camera_of(*camera, at, gltf);
+        any_light = any_light || light.has_value();
+        any_camera = any_camera || camera.has_value();
     }
-    if (gltf.camera_place.empty()) place_camera(gltf);
+    if (gltf.host_rate) {
+        // Nobody misses the details of what is left out as a whole.
+        gltf.scene.not_simulated = noted_before;
+        if (any_light) gltf.note("its lights");
+        if (any_camera) gltf.note("its camera");
+    } else if (gltf.camera_place.empty()) {
+        place_camera(gltf);
+    }
 }
 
 }  // namespace plumbline

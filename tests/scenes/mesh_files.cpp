@@ -137,7 +137,44 @@ TEST_CASE("a glTF file brings its objects below the one that names it", "[scenes
               there.objects[i].bounds.lower + glm::vec3(0, 0, 7));
     }
     CHECK(scene.lights.empty());
-    CHECK(scene.not_simulated == std::vector<std::string>{"room.gltf: its lights"});
+    CHECK(scene.not_simulated ==
+          std::vector<std::string>{"room.gltf: its lights", "room.gltf: its camera",
+                                   "room.gltf: its probes",
+                                   "room.gltf: its constants of the thesis"});
+}
+
+TEST_CASE("what a glTF file brings beside its objects is said to be left out",
+          "[scenes][mesh-files]") {
+    const TemporaryFolder folder;
+    Scene cube = moving_cube({0}, {0});
+    const auto notes = [&](const Scene& brought) {
+        save_scene(brought, folder / "cube.gltf");
+        const std::string path = folder.write("s.json", scene_with(R"({"file": "cube.gltf"})"));
+        return load_scene(path).not_simulated;
+    };
+    const std::string camera = "cube.gltf: its camera";
+    CHECK(notes(cube) == std::vector<std::string>{camera});
+    Scene sunny = cube;
+    sunny.directional_lights.push_back({"sun", {0, -1, 0}, Spectrum(3.f)});
+    CHECK(notes(sunny) == std::vector<std::string>{"cube.gltf: its lights", camera});
+    Scene outdoors = cube;
+    outdoors.environment = Spectrum(0, 0, 1);
+    CHECK(notes(outdoors) == std::vector<std::string>{camera, "cube.gltf: its environment"});
+    Scene small = cube;
+    small.length_unit = "cm";
+    CHECK(notes(small) ==
+          std::vector<std::string>{camera, "cube.gltf: its unit of length, \"cm\""});
+
+    // Nothing is said of a camera that is neither there nor needed, nor how unused lights shine.
+    save_scene(sunny, folder / "cube.gltf");
+    nlohmann::json gltf = json_at(folder / "cube.gltf");
+    for (nlohmann::json& node : gltf["nodes"]) node.erase("camera");
+    nlohmann::json& light = gltf["extensions"]["KHR_lights_punctual"]["lights"][0];
+    light["type"] = "point";
+    light["range"] = 5;
+    folder.write("cube.gltf", gltf.dump());
+    CHECK(load_scene((folder / "s.json").string()).not_simulated ==
+          std::vector<std::string>{"cube.gltf: its lights"});
 }
 
 TEST_CASE("a glTF file's animation lasts as long in a scene of any frame rate",
