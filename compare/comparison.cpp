@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/comparison.h"
 
-#include <fmt/format.h>
-
-#include "compare/shared_samples.h"
 #include "compare/ssim.h"
 
 namespace plumbline::compare {
@@ -45,11 +42,7 @@ Comparison compare_images(const Image& reference, const Image& test, const std::
     comparison.objects = errors_by_object(
         reference, test, pair, comparison.flip ? comparison.flip->map : std::vector<float>());
     comparison.percentiles = error_percentiles(pair);
-    if (share_samples(reference, test)) {
-        comparison.noise_unknown =
-            fmt::format("both have seed {} and so the same samples; render one with another --seed",
-                        reference.metadata.at("plumbline:seed"));
-    } else if (options.halves.any()) {
+    if (options.halves.any()) {
         HalvesSplit halves = split_by_halves(reference, test, options.halves, pair);
         comparison.noise = halves.split;
         comparison.halves_variance = std::move(halves.variance);

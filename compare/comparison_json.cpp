@@ -82,6 +82,7 @@ ordered_json noise_json(const std::optional<NoiseSplit>& noise) {
             {"bias_mse_ci95", noise->bias_mse_ci95},
             {"z_fraction_above_3", noise->z_fraction_above_3},
             {"channel_correlation", noise->channel_correlation},
+            {"shared_samples", noise->shared_samples},
             {"reference_variance", noise->reference_variance},
             {"test_variance", noise->test_variance},
             {"left_out", noise->left_out}};

@@ -23,6 +23,10 @@ std::string noise_text(const Comparison& comparison) {
         noise->mse_expected_from_noise, noise->bias_mse, noise->bias_mse_ci95[0],
         noise->bias_mse_ci95[1], 100 * noise->z_fraction_above_3);
     text += "         by " + noise->method + "\n";
+    if (noise->shared_samples)
+        text +=
+            "         both are of one seed, the samples of one among the other's: variances are "
+            "subtracted\n";
     if (!noise->reference_variance)
         text += "         nothing tells the reference's noise: taken as exact\n";
     if (!noise->test_variance) text += "         nothing tells the test's noise: taken as exact\n";

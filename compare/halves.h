@@ -35,8 +35,8 @@ struct HalvesSplit {
 ///
 /// z needs s of the single pixel, which one difference cannot give: the mean over the 9 x 9
 /// pixels around it is taken [Rousselle et al. 2012].
-/// Throws ImageError if sizes differ, the layer is missing, or a half shares samples with another
-/// of the pictures.
+/// Throws ImageError if sizes differ, the layer is missing, or two of the pictures and
+/// halves share samples.
 HalvesSplit split_by_halves(const Image& reference, const Image& test, const Halves& halves,
                             const LayerPair& pair);
 

@@ -19,7 +19,8 @@ using Layer = std::array<std::span<const float>, 3>;
 /// d and s^2 of a pixel's channels.
 struct Errors {
     std::array<double, 3> d;
-    std::array<double, 3> variance;
+    std::array<double, 3> variance;  ///< absolute, as single pixels of a difference may be below 0
+    double noise = 0;                ///< sum of the variances, test's less reference's if shared
     double overstated = 0;  ///< of the variances' sum, what comes from those that overstate
 };
 
@@ -28,6 +29,7 @@ struct NoisyPair {
     const LayerPair& pair;
     std::optional<Layer> reference_variance, test_variance;
     bool reference_overstates, test_overstates;
+    bool shared;  ///< one picture's samples are among the other's
 
     Errors at(std::size_t i) const {
         Errors errors;
@@ -35,7 +37,9 @@ struct NoisyPair {
             errors.d[c] = double(pair.test[c][i]) - double(pair.reference[c][i]);
             const double r = reference_variance ? double((*reference_variance)[c][i]) : 0.0;
             const double t = test_variance ? double((*test_variance)[c][i]) : 0.0;
-            errors.variance[c] = r + t;
+            // Of means t over n samples and r over these and more, Cov(t, r) = Var(r).
+            errors.noise += shared ? t - r : t + r;
+            errors.variance[c] = shared ? std::abs(t - r) : t + r;
             errors.overstated += (reference_overstates ? r : 0.0) + (test_overstates ? t : 0.0);
         }
         return errors;
@@ -58,7 +62,6 @@ void add_pixel(const Errors& e, const std::array<double, 3>& rho,
     for (std::size_t c = 0; c < 3; ++c) {
         const double d2 = e.d[c] * e.d[c], s2 = e.variance[c];
         sums[Square] += d2;
-        sums[Noise] += s2;
         // Without noise any difference is infinitely many deviations away; none is zero of them.
         sums[Above] += double(d2 > z_threshold * z_threshold * s2);
         sums[Plugged] += 4 * s2 * d2 - 2 * s2 * s2;
@@ -71,6 +74,7 @@ void add_pixel(const Errors& e, const std::array<double, 3>& rho,
         sums[Plugged] += 2 * (4 * cov * e.d[a] * e.d[b] - 2 * cov * cov);
         sums[NoiseOnly] += 2 * (2 * cov * cov);
     }
+    sums[Noise] += e.noise;
     sums[Overstated] += e.overstated;
     sums[Pixels] += 1;
 }
@@ -117,8 +121,12 @@ std::array<double, 3> channel_correlations(const LayerPair& pair) {
 
 std::optional<NoiseSplit> split_noise(const Image& reference, const Image& test,
                                       const LayerPair& pair) {
-    const NoisyPair noisy{pair, variances_of(reference, pair.layer), variances_of(test, pair.layer),
-                          variances_overstate(reference), variances_overstate(test)};
+    const NoisyPair noisy{pair,
+                          variances_of(reference, pair.layer),
+                          variances_of(test, pair.layer),
+                          variances_overstate(reference),
+                          variances_overstate(test),
+                          share_samples(reference, test)};
     if (!noisy.reference_variance && !noisy.test_variance) return std::nullopt;
 
     const std::array<double, 3> rho = channel_correlations(pair);
@@ -133,8 +141,10 @@ std::optional<NoiseSplit> split_noise(const Image& reference, const Image& test,
 
     const double n = 3 * sums[Pixels];
     NoiseSplit split;
-    split.mse_expected_from_noise = sums[Noise] / n;
-    split.bias_mse = (sums[Square] - sums[Noise]) / n;
+    const double noise = noisy.shared ? std::abs(sums[Noise]) : sums[Noise];
+    split.shared_samples = noisy.shared;
+    split.mse_expected_from_noise = noise / n;
+    split.bias_mse = (sums[Square] - noise) / n;
     split.mse_overstated = sums[Overstated] / n;
     const double half_width = z_95 * std::sqrt(std::max(sums[Plugged], sums[NoiseOnly])) / n;
     split.bias_mse_ci95 = {split.bias_mse - half_width,

@@ -22,6 +22,9 @@ namespace plumbline::compare {
 /// alone gives (b = 0). The variances are taken as exact, which a few samples a pixel do not make
 /// them, but for those that overstate (variances_overstate()): the interval then reaches up to
 /// where it would lie without them, which is too far rather than not far enough.
+///
+/// Where the samples of one picture are among those of the other (share_samples()), s^2 is the
+/// difference of their variances, as Cov(t, r) is the variance of the one with more.
 struct NoiseSplit {
     std::string method = "variance layers";  ///< or "independent halves"
     double mse_expected_from_noise = 0;      ///< mean of s^2
@@ -31,6 +34,7 @@ struct NoiseSplit {
     double z_fraction_above_3 =
         0;  ///< of pixels and channels with |d| > 3 s; 0.0027 if all is Gaussian noise and s is
             ///< exact; if s comes from few batches, as of 16 samples, some percent
+    bool shared_samples = false;      ///< one picture's samples are among the other's
     double channel_correlation = 0;   ///< rho, the mean of the three pairs of channels
     bool reference_variance = false;  ///< the reference has variances; else it counts as exact
     bool test_variance = false;

@@ -23,13 +23,14 @@ bool share_samples(const Image& a, const Image& b) {
 }
 
 void check_independent(const Image& reference, const Image& test, const Halves& halves) {
-    const auto check = [](const Image* half, const Image& other) {
-        if (!half || !share_samples(*half, other)) return;
-        throw ImageError(half->source,
+    const auto check = [](const Image* picture, const Image& other) {
+        if (!picture || !share_samples(*picture, other)) return;
+        throw ImageError(picture->source,
                          fmt::format("its noise is that of {}: both are of seed {}", other.source,
                                      entry(other, "seed")),
-                         "render a half with a --seed of its own");
+                         "with halves, give each picture a --seed of its own");
     };
+    check(&test, reference);
     for (const Image* half : {halves.reference, halves.test}) {
         check(half, reference);
         check(half, test);

@@ -10,7 +10,7 @@ namespace plumbline::compare {
 /// independent. Pictures whose headers say nothing of that are taken to be independent.
 bool share_samples(const Image& a, const Image& b);
 
-/// Throws ImageError about a half that shares samples with another of the pictures.
+/// Throws ImageError if any two of the pictures and halves share samples.
 void check_independent(const Image& reference, const Image& test, const Halves& halves);
 
 /// Whether the variances of a picture overstate its noise, as the header of a path-traced one with

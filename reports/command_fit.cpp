@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <set>
 
 #include "compare/fit_report.h"
@@ -27,13 +26,12 @@ namespace {
 
 /// Pixels of a truth rendered without --size, in the camera's own proportions.
 constexpr double default_pixels = 480. * 270.;
-constexpr int default_spp = 128;
 
 struct FitOptions {
     CommonOptions common;
     std::vector<std::string> scenes;
     std::vector<std::string> references;
-    std::optional<int> spp;
+    int spp = 128;
     compare::FitSettings settings;
     std::vector<int> test_frames;
     std::vector<std::string> layers;
@@ -56,10 +54,10 @@ Subject subject_of(std::size_t i, const FitOptions& options) {
     Scene scene = load_scene_for(options.scenes[i], options.common);
     ddgi::check_thesis_grid(scene.name, probe_grid(scene));
     const int frame = options.common.frame ? frame_of(scene, options.common) : scene.report_frame;
-    Image truth = reports::truth_of(scene, frame,
-                                    {options.references.empty() ? "" : options.references[i],
-                                     default_pixels, options.spp.value_or(default_spp)},
-                                    options.common);
+    Image truth = reports::truth_of(
+        scene, frame,
+        {options.references.empty() ? "" : options.references[i], default_pixels, options.spp},
+        options.common);
     return {std::move(scene), frame, std::move(truth)};
 }
 
@@ -73,7 +71,7 @@ std::vector<Subject> test_subjects(const std::vector<Subject>& subjects,
             at.frame = frame;
             Scene scene = subject.scene;
             pathtracer::RenderOptions render;
-            render.spp = options.spp.value_or(default_spp);
+            render.spp = options.spp;
             Image truth = pathtracer::render(scene, frame_of(scene, at), render).image;
             tests.push_back({std::move(scene), frame, std::move(truth)});
         }
@@ -127,9 +125,6 @@ void check_references(const FitOptions& options) {
             "--reference",
             fmt::format("{} files for {} scenes", options.references.size(), options.scenes.size()),
             "give one for each scene, in the same order, or none");
-    if (options.spp && !options.references.empty() && options.test_frames.empty())
-        throw UsageError("--spp", "there is nothing to path-trace beside --reference",
-                         "leave it out, or give --test-frames");
 }
 
 void run_scenes(const FitOptions& options) {

@@ -36,10 +36,12 @@ Image truth_of(Scene& scene, int frame, const TruthSource& source, const CommonO
         render.spp = source.spp;
         return pathtracer::render(scene, frame, render).image;
     }
-    if (options.width)
-        throw UsageError("--size", "does not go with --reference",
-                         "leave it out: pictures get the reference's size");
     Image truth = read_truth(scene, frame, source.file);
+    if (options.width && (*options.width != truth.width() || *options.height != truth.height()))
+        throw UsageError("--size",
+                         fmt::format("is {}x{}, but {} has {}x{} pixels", *options.width,
+                                     *options.height, source.file, truth.width(), truth.height()),
+                         "leave it out: pictures get the reference's size");
     scene.camera.width = truth.width();
     scene.camera.height = truth.height();
     return truth;

@@ -17,8 +17,8 @@ struct TruthSource {
 
 /// The truth of the scene at `frame`; the scene's camera gets its size.
 ///
-/// Throws UsageError if a file's header says that it shows another scene or frame, or if --size is
-/// given beside a file, which has its own; ImageError as read_image().
+/// Throws UsageError if a file's header says that it shows another scene or frame, or if --size
+/// asks for another size than a file has; ImageError as read_image().
 Image truth_of(Scene& scene, int frame, const TruthSource& source, const CommonOptions& options);
 
 }  // namespace plumbline::reports

@@ -41,15 +41,21 @@ TEST_CASE("pictures of one seed, scene and frame share samples, others do not", 
     CHECK_FALSE(share_samples(noise_image(12, 12, 1, 1.f), noise_image(12, 12, 2, 1.f)));
 }
 
-TEST_CASE("noise that two pictures share is not split off", "[compare]") {
+TEST_CASE("noise of shared samples is the difference of the variances", "[compare]") {
     const Image reference = traced(1, "0");
-    const Comparison shared = compare_images(reference, traced(2, "0"), "");
-    CHECK_FALSE(shared.noise);
-    CHECK(shared.noise_unknown ==
-          "both have seed 0 and so the same samples; render one with another --seed");
-    const Comparison independent = compare_images(reference, traced(2, "1"), "");
+    Image test = traced(2, "0");
+    for (auto& channel : test.layer("variance"))
+        for (float& value : channel) value = .04f;
+    const Comparison shared = compare_images(reference, test, "");
+    REQUIRE(shared.noise);
+    CHECK(shared.noise->shared_samples);
+    CHECK(shared.noise->mse_expected_from_noise == Approx(.03));
+    CHECK(compare_images(test, reference, "").noise->mse_expected_from_noise == Approx(.03));
+    test.metadata["plumbline:seed"] = "1";
+    const Comparison independent = compare_images(reference, test, "");
     REQUIRE(independent.noise);
-    CHECK(independent.noise->mse_expected_from_noise == Approx(.02));
+    CHECK_FALSE(independent.noise->shared_samples);
+    CHECK(independent.noise->mse_expected_from_noise == Approx(.05));
     CHECK(independent.noise->mse_overstated == 0.);
 }
 
@@ -63,6 +69,9 @@ TEST_CASE("a half must be independent of every other picture", "[compare]") {
         CHECK_THROWS_WITH(compare_images(reference, test, "", options),
                           Catch::Contains("its noise is that of " + half->source));
     }
+    options.halves.test = &again;
+    CHECK_THROWS_WITH(compare_images(reference, traced(2, "0"), "", options),
+                      Catch::Contains("its noise is that of " + reference.source));
     options.halves = {&again, &again};
     CHECK_THROWS_AS(compare_images(reference, test, "", options), ImageError);
 }
